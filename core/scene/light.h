@@ -1,0 +1,21 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace dirt {
+
+/// Spotlight, traced as a point. Its intensity on the axis is
+/// flux * color / (2 pi (1 - cos(aperture / 2))); between the penumbra's and the aperture's cone
+/// it falls off as ((cos theta - cos outer) / (cos inner - cos outer))^exponent.
+struct Spotlight {
+    glm::vec3 position{0.0f};
+    glm::vec3 target{0.0f, -1.0f, 0.0f};
+    glm::vec3 color{1.0f};
+    float flux = 1.0f;
+    float aperture = 90.0f; ///< full angle of the outer cone, degrees
+    float penumbra = 80.0f; ///< full angle of the inner cone, degrees
+    float exponent = 1.0f;
+    bool conical = true; ///< false: a square frustum
+};
+
+} // namespace dirt

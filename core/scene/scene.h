@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/scene/camera.h"
+#include "core/scene/light.h"
+#include "core/scene/material.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace dirt {
+
+/// "No such attribute" in the index arrays of a Mesh.
+inline constexpr uint32_t kNoIndex = 0xffffffffu;
+
+/// Corner indices of one triangle into one of a Mesh's attribute arrays.
+using Corners = std::array<uint32_t, 3>;
+
+/// All triangles of a scene, in world space. A triangle's index is its primitive id: ids count
+/// through objects in file order, then faces, then the ear-clipped triangles of a face.
+struct Mesh {
+    std::vector<glm::vec3> positions; ///< world space; static transforms already applied
+    std::vector<glm::vec3> normals;   ///< unit length, world space; may be empty
+    std::vector<glm::vec2> texcoords; ///< OBJ convention: v runs upwards; may be empty
+
+    std::vector<Corners> triangles;       ///< into positions
+    std::vector<Corners> normalIndices;   ///< into normals or kNoIndex; same length as triangles
+    std::vector<Corners> texcoordIndices; ///< into texcoords or kNoIndex; same length as triangles
+    std::vector<uint32_t> materials;      ///< per triangle, into Scene::materials
+};
+
+/// What a renderer needs of one scene.
+struct Scene {
+    std::string name; ///< file name without folder and extension
+    Mesh mesh;
+    std::vector<Material> materials; ///< never empty
+    std::vector<Texture> textures;
+    std::vector<Spotlight> lights; ///< none or one
+    Camera camera;
+    glm::vec3 background{0.0f}; ///< radiance of rays that miss
+    ToneMapping toneMapping;
+};
+
+} // namespace dirt
