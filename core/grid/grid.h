@@ -70,6 +70,16 @@ struct Grid {
     }
 };
 
+/// At most this many (view, tile, bin) cells: their list heads alone take 4 GiB.
+inline constexpr uint64_t kMaxCells = 1ull << 30;
+
+/// Clear: views, and pyramids with nothing but empty tiles. Throws InputError where the cells
+/// exceed kMaxCells.
+Grid makeEmptyGrid(const Camera& camera, const GridSettings& settings);
+
+/// Throws InputError where a list entry could not be addressed with 32 bits.
+void checkEntryCount(uint64_t entries);
+
 /// FillDepthMipmap for one view: the levels above the tiles' bounds.
 void buildPyramid(DepthPyramid& pyramid);
 

@@ -1,0 +1,73 @@
+#include "backend_cpu/thread_pool.h"
+
+#include "core/grid/denormals.h"
+
+#include <algorithm>
+
+namespace dirt {
+
+ThreadPool::ThreadPool(unsigned threads) {
+    if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+    for (unsigned i = 1; i < threads; ++i) workers_.emplace_back([this] { work(); });
+}
+
+ThreadPool::~ThreadPool() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+    }
+    start_.notify_all();
+    for (std::thread& worker : workers_) worker.join();
+}
+
+void ThreadPool::forRange(size_t count, size_t grain,
+                          const std::function<void(size_t, size_t)>& body) {
+    if (count == 0) return;
+    {
+        const std::lock_guard lock(mutex_);
+        loop_.count = count;
+        loop_.grain = std::max<size_t>(grain, 1);
+        loop_.body = &body;
+        loop_.next = 0;
+        loop_.error = nullptr;
+        busy_ = workers_.size();
+        ++generation_;
+    }
+    start_.notify_all();
+    runPieces();
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [this] { return busy_ == 0; });
+    if (loop_.error) std::rethrow_exception(loop_.error);
+}
+
+void ThreadPool::work() {
+    uint64_t seen = 0;
+    for (;;) {
+        {
+            std::unique_lock lock(mutex_);
+            start_.wait(lock, [&] { return stopping_ || generation_ != seen; });
+            if (stopping_) return;
+            seen = generation_;
+        }
+        runPieces();
+        const std::lock_guard lock(mutex_);
+        if (--busy_ == 0) done_.notify_one();
+    }
+}
+
+void ThreadPool::runPieces() {
+    const FlushDenormals flush;
+    for (;;) {
+        const size_t begin = loop_.next.fetch_add(loop_.grain);
+        if (begin >= loop_.count) return;
+        try {
+            (*loop_.body)(begin, std::min(begin + loop_.grain, loop_.count));
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            if (!loop_.error) loop_.error = std::current_exception();
+            loop_.next = loop_.count; // the rest is not wanted any more
+        }
+    }
+}
+
+} // namespace dirt

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/frame/executor.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace dirt {
+
+/// A fixed set of threads that share the pieces of one loop at a time; the caller is one of them.
+/// Denormals are flushed while a piece runs (G7).
+class ThreadPool final : public Executor {
+public:
+    /// \p threads at least 1; 0 takes as many as the machine has.
+    explicit ThreadPool(unsigned threads = 0);
+    ~ThreadPool() override;
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+
+    /// Not to be called from inside a piece.
+    void forRange(size_t count, size_t grain,
+                  const std::function<void(size_t begin, size_t end)>& body) override;
+    unsigned threads() const override { return (unsigned) workers_.size() + 1; }
+
+private:
+    struct Loop {
+        size_t count = 0, grain = 1;
+        const std::function<void(size_t, size_t)>* body = nullptr;
+        std::atomic<size_t> next{0};
+        std::exception_ptr error;
+    };
+    void work();
+    void runPieces();
+
+    std::vector<std::thread> workers_;
+    std::mutex mutex_;
+    std::condition_variable start_, done_;
+    Loop loop_;
+    uint64_t generation_ = 0; ///< counts loops, so that a worker takes part in each once
+    size_t busy_ = 0;         ///< workers that have not finished the current loop
+    bool stopping_ = false;
+};
+
+} // namespace dirt

@@ -1,0 +1,154 @@
+#include "core/grid/coverage.h"
+
+#include "core/grid/denormals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+// Rounding against the guard band. u = 2^-24; a view spans slopes [-S, S] with n tiles of nominal
+// width h = 2 S / n, n <= 8192.
+//
+// Side planes. A vertex is outside a border of slope s if fl(x - fl(s w)) says so. Its error is at
+// most u |s w| plus u of the result, and s itself was rounded: in all the border moves by less than
+// 3 u S = 3 u n h / 2 <= h / 1365, and the guard band of h / 128 stays between h / 512 and h / 64.
+// Where w is small against x the error is small against x and decides nothing.
+//
+// Edge planes. The normal a x b is formed in double: products of floats are exact there, so each
+// component has one rounding; rounded to float its relative error is u. Then
+// fl(n_x s + n_y t + n_z) has an error below 4 u (|n_x s| + |n_y t| + |n_z|), and the rounding of s
+// and t adds u (|n_x s| + |n_y t|). If |n_z| > 3 S (|n_x| + |n_y|) the sign is beyond doubt;
+// otherwise the error is below 17 u S (|n_x| + |n_y|), while moving the corner by 3/512 of a tile
+// (from 1/128 to 1/512) changes the value by 3/512 h (|n_x| + |n_y|) = 6/512 S / n (...):
+// 17 u <= 6/512 / n holds for n <= 11,565; towards 1/64 there is more room.
+//
+// Vertices behind the eye's plane are replaced by the crossings of the edges with w = 0, as
+// directions: a |w_b| + b |w_a|, one rounding a component, so signs are exact.
+
+namespace dirt {
+namespace {
+
+/// \p v times a power of two that brings its largest |component| into [0.5, 1), without denormals.
+glm::vec3 scaledToUnit(glm::dvec3 v) {
+    const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    if (largest == 0.0) return glm::vec3(0.0f);
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    const double scale = std::ldexp(1.0, -exponent);
+    return {flushed((float) (v.x * scale)), flushed((float) (v.y * scale)),
+            flushed((float) (v.z * scale))};
+}
+
+/// a x b; each component is the exact difference of two products, rounded once.
+glm::dvec3 edgeNormal(glm::vec3 a, glm::vec3 b) {
+    return glm::cross(glm::dvec3(a), glm::dvec3(b));
+}
+
+/// The sign of n . p if double arithmetic is sure of it, else 0. n has a relative error of 2^-53 in
+/// each component; three products and two sums add to at most 4 * 2^-53 of the terms' magnitudes.
+int certainSide(glm::dvec3 n, glm::vec3 p) {
+    const glm::dvec3 terms = n * glm::dvec3(p);
+    const double value = terms.x + terms.y + terms.z;
+    const double bound = 0x1p-50 * (std::fabs(terms.x) + std::fabs(terms.y) + std::fabs(terms.z));
+    return value > bound ? 1 : value < -bound ? -1 : 0;
+}
+
+void addDirection(ViewTriangle& triangle, glm::dvec3 direction) {
+    // An edge through the eye crosses w = 0 there; the eye itself is no direction.
+    if (direction == glm::dvec3(0.0)) return;
+    triangle.directions[triangle.directionCount++] = scaledToUnit(direction);
+}
+
+/// The triangle's directions with w >= 0. False if none has w > 0.
+bool clipDirections(ViewTriangle& triangle) {
+    const auto& v = triangle.vertices;
+    bool inFront = false;
+    for (int i = 0; i < 3; ++i) {
+        const glm::vec3 a = v[i], b = v[(i + 1) % 3];
+        inFront |= a.z > 0.0f;
+        if (a.z >= 0.0f) addDirection(triangle, a);
+        if ((a.z < 0.0f && b.z > 0.0f) || (a.z > 0.0f && b.z < 0.0f)) {
+            const double wa = std::fabs(a.z), wb = std::fabs(b.z);
+            addDirection(triangle, {a.x * wb + b.x * wa, a.y * wb + b.y * wa, 0.0});
+        }
+    }
+    return inFront;
+}
+
+/// Whether all directions lie strictly beyond a border: before = on the small side of slope.
+template <int Component>
+bool allBefore(const ViewTriangle& triangle, float slope) {
+    for (int i = 0; i < triangle.directionCount; ++i) {
+        const glm::vec3& d = triangle.directions[i];
+        if (d[Component] - slope * d.z >= 0.0f) return false;
+    }
+    return true;
+}
+template <int Component>
+bool allBehind(const ViewTriangle& triangle, float slope) {
+    for (int i = 0; i < triangle.directionCount; ++i) {
+        const glm::vec3& d = triangle.directions[i];
+        if (d[Component] - slope * d.z <= 0.0f) return false;
+    }
+    return true;
+}
+
+/// First and last cell of one axis that is not separated by its side planes. Rounding is monotone,
+/// so the predicates are monotone in the index, and bisection decides as a loop over all would.
+template <int Component>
+std::pair<int, int> cellRange(const ViewTriangle& triangle, const std::vector<float>& lo,
+                              const std::vector<float>& hi) {
+    const auto first = std::partition_point(
+        hi.begin(), hi.end(), [&](float slope) { return allBehind<Component>(triangle, slope); });
+    const auto last = std::partition_point(
+        lo.begin(), lo.end(), [&](float slope) { return !allBefore<Component>(triangle, slope); });
+    return {(int) (first - hi.begin()), (int) (last - lo.begin()) - 1};
+}
+
+} // namespace
+
+bool setUpTriangle(const Triangle& triangle, const View& view, ViewTriangle& out) {
+    out.vertices = {view.toView(triangle.a), view.toView(triangle.b), view.toView(triangle.c)};
+    out.directionCount = 0;
+    if (!clipDirections(out)) return false;
+
+    const auto& v = out.vertices;
+    const std::array<glm::dvec3, 3> normals = {edgeNormal(v[0], v[1]), edgeNormal(v[1], v[2]),
+                                               edgeNormal(v[2], v[0])};
+    // One certain estimate settles the orientation. If all three are uncertain, each vertex lies
+    // within 2^-49 of the plane through the eye and the opposite edge: edge-on.
+    int side = 0;
+    for (int i = 0; i < 3 && side == 0; ++i) side = certainSide(normals[i], v[(i + 2) % 3]);
+    out.edgeOn = side == 0;
+    for (int i = 0; i < 3; ++i) out.edges[i] = scaledToUnit(side < 0 ? -normals[i] : normals[i]);
+    return true;
+}
+
+TileRange tileRange(const ViewTriangle& triangle, const View& view) {
+    const auto [column0, column1] = cellRange<0>(triangle, view.sLo, view.sHi);
+    const auto [row0, row1] = cellRange<1>(triangle, view.tLo, view.tHi);
+    return {column0, column1, row0, row1};
+}
+
+bool edgesSeparate(const ViewTriangle& triangle, const View& view, int column, int row) {
+    const float s0 = view.sLo[column], s1 = view.sHi[column];
+    const float t0 = view.tLo[row], t1 = view.tHi[row];
+    for (const glm::vec3& n : triangle.edges) {
+        const bool right = n.x > 0.0f, below = n.y > 0.0f;
+        // The tile's corner farthest inside.
+        if ((n.x * (right ? s1 : s0) + n.y * (below ? t1 : t0)) + n.z < 0.0f) return true;
+        if (triangle.edgeOn && (n.x * (right ? s0 : s1) + n.y * (below ? t0 : t1)) + n.z > 0.0f)
+            return true;
+    }
+    return false;
+}
+
+bool overlaps(const ViewTriangle& triangle, const View& view, int column, int row) {
+    return !allBefore<0>(triangle, view.sLo[column]) && !allBehind<0>(triangle, view.sHi[column]) &&
+           !allBefore<1>(triangle, view.tLo[row]) && !allBehind<1>(triangle, view.tHi[row]) &&
+           !edgesSeparate(triangle, view, column, row);
+}
+
+} // namespace dirt

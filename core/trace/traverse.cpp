@@ -1,0 +1,202 @@
+#include "core/trace/traverse.h"
+
+#include "core/grid/denormals.h"
+#include "core/trace/intersect.h"
+#include "core/trace/view_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace dirt {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// What is beyond t when all that lies before it has been seen: no candidate whose computed t is
+/// at most \p t has an exact t above this. Twice err(t), and what flushing to zero may hide.
+double upperBound(float t) {
+    return (double) t * (1.0 + 2.0 * kRelativeErrorT) + (double) FLT_MIN;
+}
+double lowerBound(float t) {
+    return (double) t * (1.0 - 2.0 * kRelativeErrorT) - (double) FLT_MIN;
+}
+
+/// Visits the tiles of all views in the order of t.
+template <class Visit>
+void walkViews(const Grid& grid, const Ray& ray, const double& limit, uint64_t& steps,
+               Visit&& visit) {
+    std::array<ViewSpan, 6> spans;
+    int count = 0;
+    for (size_t v = 0; v < grid.views.size(); ++v) {
+        ViewSpan span;
+        if (!ViewRay(grid.views[v], ray).clip((int) v, span)) continue;
+        int i = count++;
+        for (; i > 0 && span.begin < spans[i - 1].begin; --i) spans[i] = spans[i - 1];
+        spans[i] = span;
+    }
+
+    const GridSettings& settings = grid.settings;
+    const int top = settings.traversal == Traversal::linear ? 0
+                    : settings.maxMip < 0                   ? std::numeric_limits<int>::max()
+                                                            : settings.maxMip;
+    for (int i = 0; i < count && spans[i].begin <= limit; ++i) {
+        const ViewRay viewRay(grid.views[spans[i].view], ray);
+        ViewWalk walk(viewRay, spans[i], grid.pyramids[spans[i].view], top);
+        if (walk.valid()) walk.run(limit, steps, visit);
+    }
+}
+
+/// The bins of one tile that a ray passes, in the order of t.
+struct BinRange {
+    int first, last, step;
+
+    BinRange(const Grid& grid, const Ray& ray, const TileVisit& visit, double limit)
+        : bin_(grid.bounds(visit.view, visit.tile), grid.settings.bins), visit_(visit) {
+        const View& view = grid.views[visit.view];
+        originDepth_ = view.signW * ray.origin[view.axisW];
+        depthPerT_ = view.signW * ray.direction[view.axisW];
+        const bool receding = depthPerT_ >= 0.0;
+        step = receding ? 1 : -1;
+        first = bin_(receding ? visit.near : visit.far);
+        last = bin_(receding ? visit.far : visit.near);
+        shorten(limit);
+    }
+
+    bool contains(int b) const { return step > 0 ? b <= last : b >= last; }
+
+    /// Leaves out the bins that the ray enters after t = \p limit.
+    void shorten(double limit) {
+        if (!(limit < visit_.end)) return;
+        const double growth = limit * depthPerT_;
+        const double depth = originDepth_ + growth;
+        const double error = 0x1p-51 * (std::abs(originDepth_) + std::abs(growth));
+        last = step > 0 ? std::min(last, bin_(roundUp(depth + error)))
+                        : std::max(last, bin_(roundDown(depth - error)));
+    }
+
+private:
+    BinMap bin_;
+    const TileVisit& visit_;
+    double originDepth_, depthPerT_;
+};
+
+/// Whether the ray must not hit a triangle: the one it starts on, or one with the same vertices.
+/// Asked of hits alone, so the comparison of vertices costs nothing.
+bool isSkipped(const FrameGeometry& geometry, const Ray& ray, uint32_t id) {
+    return ray.skip != kNoPrimitive &&
+           (id == ray.skip || sameVertices(geometry.triangles[id], geometry.triangles[ray.skip]));
+}
+
+/// Takes the nearer of two hits; at equal t the lower id.
+bool isNearer(const TriangleHit& candidate, uint32_t id, const Hit& best) {
+    return !best.found() || candidate.t < best.t || (candidate.t == best.t && id < best.primitive);
+}
+
+/// The ray without denormals, which backends may or may not flush.
+Ray flushedRay(Ray ray) {
+    for (int i = 0; i < 3; ++i) {
+        ray.origin[i] = flushed(ray.origin[i]);
+        ray.direction[i] = flushed(ray.direction[i]);
+    }
+    return ray;
+}
+
+} // namespace
+
+Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given,
+               TraversalCounts* counts) {
+    Hit best;
+    const Ray ray = flushedRay(given);
+    if (!isTraceable(ray)) return best;
+    TraversalCounts local;
+    double limit = kInfinity;
+    bool located = false; // best.view and best.tile hold best.t
+
+    walkViews(grid, ray, limit, local.steps, [&](const TileVisit& visit) {
+        ++local.tiles;
+        BinRange bins(grid, ray, visit, limit);
+        for (int b = bins.first; bins.contains(b); b += bins.step) {
+            ++local.bins;
+            for (uint32_t id : grid.list(visit.view, visit.tile, b)) {
+                ++local.tests;
+                TriangleHit candidate;
+                if (!intersect(ray, geometry.triangles[id], candidate)) continue;
+                const bool again = best.primitive == id;
+                if (!again && !isNearer(candidate, id, best)) continue;
+                if (isSkipped(geometry, ray, id)) continue;
+                if (!again) {
+                    best = {id, candidate.t, candidate.u, candidate.v, 0, 0};
+                    limit = upperBound(candidate.t);
+                    bins.shorten(limit);
+                    located = false;
+                }
+                // The record belongs to the tile in which the hit lies, among those that list it.
+                const bool inside = visit.begin <= limit && lowerBound(candidate.t) <= visit.end;
+                if (!located) {
+                    best.view = (uint32_t) visit.view;
+                    best.tile = (uint32_t) visit.tile;
+                    located = inside;
+                }
+            }
+        }
+    });
+    if (counts) *counts = local;
+    return best;
+}
+
+bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given, float maxT,
+            TraversalCounts* counts) {
+    const Ray ray = flushedRay(given);
+    if (!isTraceable(ray) || !(maxT > 0.0f)) return false;
+    TraversalCounts local;
+    double limit = upperBound(maxT);
+    bool found = false;
+
+    walkViews(grid, ray, limit, local.steps, [&](const TileVisit& visit) {
+        ++local.tiles;
+        const BinRange bins(grid, ray, visit, limit);
+        for (int b = bins.first; !found && bins.contains(b); b += bins.step) {
+            ++local.bins;
+            for (uint32_t id : grid.list(visit.view, visit.tile, b)) {
+                ++local.tests;
+                TriangleHit candidate;
+                if (intersect(ray, geometry.triangles[id], candidate) && candidate.t < maxT &&
+                    !isSkipped(geometry, ray, id)) {
+                    found = true;
+                    limit = -1.0; // ends the walk
+                    break;
+                }
+            }
+        }
+    });
+    if (counts) *counts = local;
+    return found;
+}
+
+void visitCells(const Grid& grid, const Ray& given,
+                const std::function<void(int view, int tile, int bin)>& visit) {
+    const Ray ray = flushedRay(given);
+    if (!isTraceable(ray)) return;
+    const double limit = kInfinity;
+    uint64_t steps = 0;
+    walkViews(grid, ray, limit, steps, [&](const TileVisit& tile) {
+        const BinRange bins(grid, ray, tile, limit);
+        for (int b = bins.first; bins.contains(b); b += bins.step) visit(tile.view, tile.tile, b);
+    });
+}
+
+Hit closestHitBruteForce(const FrameGeometry& geometry, const Ray& given) {
+    Hit best;
+    const Ray ray = flushedRay(given);
+    if (!isTraceable(ray)) return best;
+    for (uint32_t id = 0; id < geometry.triangles.size(); ++id) {
+        TriangleHit candidate;
+        if (intersect(ray, geometry.triangles[id], candidate) && isNearer(candidate, id, best) &&
+            !isSkipped(geometry, ray, id))
+            best = {id, candidate.t, candidate.u, candidate.v, 0, 0};
+    }
+    return best;
+}
+
+} // namespace dirt

@@ -1,0 +1,106 @@
+#include "core/trace/view_walk.h"
+
+#include <limits>
+
+namespace dirt {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+} // namespace
+
+ViewWalk::ViewWalk(const ViewRay& ray, const ViewSpan& span, const DepthPyramid& pyramid,
+                   int topLevel)
+    : ray_(ray), pyramid_(pyramid), view_(span.view),
+      top_(std::min(topLevel, (int) pyramid.levels.size() - 1)),
+      column_(startCell(0, ray.view.s, span.begin)), row_(startCell(1, ray.view.t, span.begin)),
+      begin_(span.begin), depth_(std::max(span.depth, 0.0)) {}
+
+int ViewWalk::startCell(int axis, const std::vector<float>& borders, double t) const {
+    const int step = axis == 0 ? ray_.stepX : ray_.stepY;
+    const int last = (int) borders.size() - 2;
+    if (step != 0)
+        return step > 0 ? firstNotLeft(axis, 0, last, t) : firstNotLeft(axis, last, 0, t);
+
+    // The slope does not change along the ray: that of any of its points before the eye, or of its
+    // direction. Comparisons of float products are exact.
+    const glm::dvec3& p = ray_.origin.z > 0.0 ? ray_.origin : ray_.direction;
+    if (p.z <= 0.0) return -1;
+    const auto above = std::partition_point(borders.begin(), borders.end(),
+                                            [&](float s) { return s * p.z <= p[axis]; });
+    return std::clamp((int) (above - borders.begin()) - 1, 0, last);
+}
+
+int ViewWalk::firstNotLeft(int axis, int from, int to, double t) const {
+    const int step = axis == 0 ? ray_.stepX : ray_.stepY;
+    const double earliest = t * (1.0 - kCrossingSlack);
+    int low = 0, high = std::abs(to - from); // the answer is in [low, high]
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        const int border = from + middle * step + (step > 0 ? 1 : 0);
+        const ViewRay::Crossing crossing =
+            axis == 0 ? ray_.column(ray_.view.s[border]) : ray_.row(ray_.view.t[border]);
+        if (crossing.t < earliest)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return from + low * step;
+}
+
+ViewWalk::Exit ViewWalk::exitOf(int level) const {
+    const DepthPyramid::Level& tiles = pyramid_.levels[0];
+    Exit exit{};
+    const int column = column_ >> level << level, row = row_ >> level << level;
+    exit.columnBorder = ray_.stepX > 0 ? std::min(column + (1 << level), tiles.columns) : column;
+    exit.rowBorder = ray_.stepY > 0 ? std::min(row + (1 << level), tiles.rows) : row;
+    const float s = ray_.view.s[exit.columnBorder], t = ray_.view.t[exit.rowBorder];
+
+    const ViewRay::Crossing x = ray_.stepX != 0 ? ray_.column(s) : ViewRay::Crossing{};
+    const ViewRay::Crossing y = ray_.stepY != 0 ? ray_.row(t) : ViewRay::Crossing{};
+    exit.order = x.valid && y.valid ? ray_.order(s, t) : x.valid ? 1 : y.valid ? -1 : 2;
+    switch (exit.order) {
+    case 1:
+        exit.begin = exit.end = x.t, exit.near = exit.far = x.depth;
+        break;
+    case -1:
+        exit.begin = exit.end = y.t, exit.near = exit.far = y.depth;
+        break;
+    case 0:
+        exit.begin = std::min(x.t, y.t), exit.end = std::max(x.t, y.t);
+        exit.near = std::min(x.depth, y.depth), exit.far = std::max(x.depth, y.depth);
+        break;
+    default: // The ray stays in this cell: for ever, or until it reaches the eye.
+        exit.begin = exit.end = kInfinity;
+        exit.near = exit.far = ray_.direction.z > 0.0   ? kInfinity
+                               : ray_.direction.z < 0.0 ? 0.0
+                                                        : ray_.origin.z;
+    }
+    return exit;
+}
+
+/// Moves into the next tile. False if that leaves the view.
+bool ViewWalk::advance(const Exit& exit, int level) {
+    const DepthPyramid::Level& tiles = pyramid_.levels[0];
+    const int column = column_ >> level << level, row = row_ >> level << level;
+    if (exit.order >= 0)
+        column_ = ray_.stepX > 0 ? exit.columnBorder : exit.columnBorder - 1;
+    else if (level > 0 && ray_.stepX != 0)
+        column_ = firstNotLeft(0, column_,
+                               ray_.stepX > 0 ? std::min(column + (1 << level), tiles.columns) - 1
+                                              : column,
+                               exit.begin);
+    if (exit.order <= 0)
+        row_ = ray_.stepY > 0 ? exit.rowBorder : exit.rowBorder - 1;
+    else if (level > 0 && ray_.stepY != 0)
+        row_ = firstNotLeft(1, row_,
+                            ray_.stepY > 0 ? std::min(row + (1 << level), tiles.rows) - 1 : row,
+                            exit.begin);
+    begin_ = std::max(begin_, exit.begin * (1.0 - kCrossingSlack));
+    // At a corner the two depths differ by rounding alone or bracket the corner's visits; the
+    // earlier one is the one farther back along the ray.
+    depth_ = ray_.direction.z > 0.0 ? exit.near : exit.far;
+    return column_ >= 0 && row_ >= 0 && column_ < tiles.columns && row_ < tiles.rows;
+}
+
+} // namespace dirt
