@@ -14,7 +14,7 @@ ViewWalk::ViewWalk(const ViewRay& ray, const ViewSpan& span, const DepthPyramid&
     : ray_(ray), pyramid_(pyramid), view_(span.view),
       top_(std::min(topLevel, (int) pyramid.levels.size() - 1)),
       column_(startCell(0, ray.view.s, span.begin)), row_(startCell(1, ray.view.t, span.begin)),
-      begin_(span.begin), depth_(std::max(span.depth, 0.0)) {}
+      begin_(span.begin), end_(span.end), depth_(std::max(span.depth, 0.0)) {}
 
 int ViewWalk::startCell(int axis, const std::vector<float>& borders, double t) const {
     const int step = axis == 0 ? ray_.stepX : ray_.stepY;
@@ -25,7 +25,9 @@ int ViewWalk::startCell(int axis, const std::vector<float>& borders, double t) c
     // The slope does not change along the ray: that of any of its points before the eye, or of its
     // direction. Comparisons of float products are exact.
     const glm::dvec3& p = ray_.origin.z > 0.0 ? ray_.origin : ray_.direction;
-    if (p.z <= 0.0) return -1;
+    const bool inside =
+        p.z > 0.0 && p[axis] >= borders.front() * p.z && p[axis] <= borders.back() * p.z;
+    if (!inside) return -1; // the ray meets the cone in the eye alone
     const auto above = std::partition_point(borders.begin(), borders.end(),
                                             [&](float s) { return s * p.z <= p[axis]; });
     return std::clamp((int) (above - borders.begin()) - 1, 0, last);
@@ -71,7 +73,7 @@ ViewWalk::Exit ViewWalk::exitOf(int level) const {
         exit.near = std::min(x.depth, y.depth), exit.far = std::max(x.depth, y.depth);
         break;
     default: // The ray stays in this cell: for ever, or until it reaches the eye.
-        exit.begin = exit.end = kInfinity;
+        exit.begin = exit.end = end_;
         exit.near = exit.far = ray_.direction.z > 0.0   ? kInfinity
                                : ray_.direction.z < 0.0 ? 0.0
                                                         : ray_.origin.z;

@@ -54,7 +54,9 @@ private:
     const DepthPyramid& pyramid_;
     int view_, top_;
     int column_, row_;
-    double begin_, depth_; ///< where the current tile is entered
+    double begin_; ///< where the current tile is entered,
+    double end_;   ///< where the view is left,
+    double depth_; ///< and w at begin_
 };
 
 template <class Visit>
