@@ -1,0 +1,101 @@
+#include "core/grid/clip.h"
+#include "tests/support/nasty_triangles.h"
+#include "tests/support/print.h"
+
+#include <gtest/gtest.h>
+
+#include <cfloat>
+#include <map>
+#include <string>
+
+// G1 and G2 against the exact clip: what a tile lists, and at which depths.
+
+namespace dirt::test {
+namespace {
+
+/// What construction does for one triangle and tile.
+struct Listed {
+    bool ranged = false, overlaps = false, clipped = false;
+    DepthInterval depths;
+
+    Listed(const TileCase& c) {
+        ViewTriangle setup;
+        if (!setUpTriangle(c.triangle, *c.view, setup)) return;
+        const TileRange range = tileRange(setup, *c.view);
+        ranged = range.column0 <= c.column && c.column <= range.column1 && range.row0 <= c.row &&
+                 c.row <= range.row1;
+        overlaps = dirt::overlaps(setup, *c.view, c.column, c.row);
+        clipped = clipToTile(setup, *c.view, c.column, c.row, depths);
+    }
+    bool listed() const { return overlaps && clipped; }
+};
+
+/// How far \p f lies outside \p exact, in units of 16 ulp of the exact depth: at most 1 by G2.
+/// A depth below FLT_MIN may be flushed.
+double excess(const Fraction& exact, float f, double outwards) {
+    const double value = exact.value();
+    const double ulp = std::ldexp(1.0, std::max(std::ilogb(value) - 23, -149));
+    if (value < 2.0 * FLT_MIN) return f <= 2.0f * FLT_MIN ? 0.0 : 99.0;
+    return (f - value) * outwards / (16.0 * ulp);
+}
+
+/// Empty if \p c keeps G1 and G2, else what is wrong.
+std::string violation(const TileCase& c) {
+    const Listed listed(c);
+    const ExactTriangle triangle(c.triangle, *c.view);
+    const TileSize tile = c.set->tileSize(*c.view);
+    const ExactDepths inner =
+        clipExactly(triangle, ExactCone(*c.view, c.column, c.row, tile, 1.0 / 512));
+
+    if (listed.overlaps && !listed.ranged) return "overlaps outside of tileRange";
+    if (inner.meets && !listed.overlaps) return "G1: meets 1/512, but overlaps() is false";
+    if (inner.meets && !listed.clipped) return "G1: meets 1/512, but clipToTile() is false";
+    if (!listed.listed()) return "";
+    if (!(listed.depths.near >= 0.0f && listed.depths.near <= listed.depths.far))
+        return "an interval that is none: " + hex(listed.depths.near) + " " + hex(listed.depths.far);
+    if (inner.meets && compare(listed.depths.near, inner.near) > 0)
+        return "G1: near " + hex(listed.depths.near) + " > exact " + hex(inner.near.value());
+    if (inner.meets && compare(listed.depths.far, inner.far) < 0)
+        return "G1: far " + hex(listed.depths.far) + " < exact " + hex(inner.far.value());
+
+    const ExactDepths outer =
+        clipExactly(triangle, ExactCone(*c.view, c.column, c.row, tile, 1.0 / 64));
+    if (!outer.meets) return "G2: listed, but does not meet 1/64";
+    if (excess(outer.near, listed.depths.near, -1) > 1)
+        return "G2: near " + hex(listed.depths.near) + " is more than 16 ulp below " +
+               hex(outer.near.value());
+    if (excess(outer.far, listed.depths.far, +1) > 1)
+        return "G2: far " + hex(listed.depths.far) + " is more than 16 ulp above " +
+               hex(outer.far.value());
+    return "";
+}
+
+std::string describe(const TileCase& c) {
+    return describe(*c.set) + " view " + std::to_string(c.view - c.set->views.data()) + " tile (" +
+           std::to_string(c.column) + ", " + std::to_string(c.row) + ") " + hex(c.triangle) + " (" +
+           c.kind + ")";
+}
+
+TEST(Coverage, ListsExactlyWhatTheGuardBandsAskFor) {
+    Random random(20161193);
+    const std::vector<ViewSet> sets = variousViews(random);
+    NastyTriangles triangles(random, sets);
+    std::map<std::string, int> failures, kinds;
+    int met = 0, total = cases(100'000, 1'000'000);
+    for (int i = 0; i < total; ++i) {
+        const TileCase c = triangles.next();
+        ++kinds[c.kind];
+        const std::string wrong = violation(c);
+        met += Listed(c).listed();
+        if (wrong.empty()) continue;
+        int& count = failures[wrong.substr(0, 24) + " (" + c.kind + ")"];
+        if (++count <= 2) ADD_FAILURE() << wrong << "\n" << describe(c);
+    }
+    for (const auto& [what, count] : failures) ADD_FAILURE() << count << " times " << what;
+    // The cases are near the decision: neither almost all nor almost none are listed.
+    EXPECT_GT(met, total / 5);
+    EXPECT_LT(met, total * 4 / 5);
+}
+
+} // namespace
+} // namespace dirt::test
