@@ -1,6 +1,7 @@
 #include "core/grid/coverage.h"
 
 #include "core/grid/denormals.h"
+#include "core/grid/exact_sum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,13 +47,21 @@ glm::dvec3 edgeNormal(glm::vec3 a, glm::vec3 b) {
     return glm::cross(glm::dvec3(a), glm::dvec3(b));
 }
 
-/// The sign of n . p if double arithmetic is sure of it, else 0. n has a relative error of 2^-53 in
-/// each component; three products and two sums add to at most 4 * 2^-53 of the terms' magnitudes.
-int certainSide(glm::dvec3 n, glm::vec3 p) {
-    const glm::dvec3 terms = n * glm::dvec3(p);
-    const double value = terms.x + terms.y + terms.z;
-    const double bound = 0x1p-50 * (std::fabs(terms.x) + std::fabs(terms.y) + std::fabs(terms.z));
-    return value > bound ? 1 : value < -bound ? -1 : 0;
+/// a . (b × c) with a relative error of at most 2^-24 and the exact sign. n = a × b has a relative
+/// error of 2^-53 in each component; three products and two sums add to at most 4 * 2^-53 of the
+/// terms' magnitudes.
+double orientation(const ViewTriangle& triangle) {
+    const auto& v = triangle.vertices;
+    for (const glm::dvec3& n : triangle.normals)
+        if (n == glm::dvec3(0.0)) return 0.0; // an edge without length, or through the eye
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 terms = triangle.normals[i] * glm::dvec3(v[(i + 2) % 3]);
+        const double value = terms.x + terms.y + terms.z;
+        if (std::fabs(value) >
+            0x1p-26 * (std::fabs(terms.x) + std::fabs(terms.y) + std::fabs(terms.z)))
+            return value;
+    }
+    return tripleProductExact(v[0], v[1], v[2]);
 }
 
 void addDirection(ViewTriangle& triangle, glm::dvec3 direction) {
@@ -115,14 +124,10 @@ bool setUpTriangle(const Triangle& triangle, const View& view, ViewTriangle& out
     if (!clipDirections(out)) return false;
 
     const auto& v = out.vertices;
-    const std::array<glm::dvec3, 3> normals = {edgeNormal(v[0], v[1]), edgeNormal(v[1], v[2]),
-                                               edgeNormal(v[2], v[0])};
-    // One certain estimate settles the orientation. If all three are uncertain, each vertex lies
-    // within 2^-49 of the plane through the eye and the opposite edge: edge-on.
-    int side = 0;
-    for (int i = 0; i < 3 && side == 0; ++i) side = certainSide(normals[i], v[(i + 2) % 3]);
-    out.edgeOn = side == 0;
-    for (int i = 0; i < 3; ++i) out.edges[i] = scaledToUnit(side < 0 ? -normals[i] : normals[i]);
+    for (int i = 0; i < 3; ++i) out.normals[i] = edgeNormal(v[i], v[(i + 1) % 3]);
+    out.determinant = orientation(out);
+    for (int i = 0; i < 3; ++i)
+        out.edges[i] = scaledToUnit(out.determinant < 0.0 ? -out.normals[i] : out.normals[i]);
     return true;
 }
 
@@ -139,7 +144,7 @@ bool edgesSeparate(const ViewTriangle& triangle, const View& view, int column, i
         const bool right = n.x > 0.0f, below = n.y > 0.0f;
         // The tile's corner farthest inside.
         if ((n.x * (right ? s1 : s0) + n.y * (below ? t1 : t0)) + n.z < 0.0f) return true;
-        if (triangle.edgeOn && (n.x * (right ? s0 : s1) + n.y * (below ? t0 : t1)) + n.z > 0.0f)
+        if (triangle.edgeOn() && (n.x * (right ? s0 : s1) + n.y * (below ? t0 : t1)) + n.z > 0.0f)
             return true;
     }
     return false;

@@ -16,10 +16,14 @@ struct ViewTriangle {
     std::array<glm::vec3, 4> directions;
     int directionCount = 0;
     /// Normals of the planes through the eye and an edge (ab, bc, ca), each scaled by a power of
-    /// two, pointing inwards unless edgeOn.
+    /// two, pointing inwards unless the triangle is edge-on.
     std::array<glm::vec3, 3> edges;
-    /// The eye lies in the triangle's plane, as far as double arithmetic can tell.
-    bool edgeOn = false;
+    /// The same as cross products, unscaled: each component is exact but for one rounding.
+    std::array<glm::dvec3, 3> normals;
+    /// a . (b × c): relative error at most 2^-24, exact sign.
+    double determinant = 0.0;
+    /// The eye lies in the triangle's plane, or there is no plane.
+    bool edgeOn() const { return determinant == 0.0; }
 };
 
 /// Tiles [column0, column1] x [row0, row1]; empty if column0 > column1 or row0 > row1.

@@ -1,48 +1,72 @@
 #include "core/trace/determinant.h"
 
-#include "core/trace/exact_sum.h"
+#include "core/grid/exact_sum.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace dirt {
-namespace {
-
-/// Adds x . (y × z).
-void addDeterminant(ExactSum& sum, glm::vec3 x, glm::vec3 y, glm::vec3 z) {
-    sum.addProduct(x.x, y.y, z.z);
-    sum.addProduct(-x.x, y.z, z.y);
-    sum.addProduct(x.y, y.z, z.x);
-    sum.addProduct(-x.y, y.x, z.z);
-    sum.addProduct(x.z, y.x, z.y);
-    sum.addProduct(-x.z, y.y, z.x);
-}
-
-} // namespace
-
 // Differences of floats are not exact, so each determinant is expanded into determinants of the
 // inputs themselves.
 
 double edgeDeterminantExact(glm::vec3 o, glm::vec3 d, glm::vec3 b, glm::vec3 c) {
     ExactSum sum;
-    addDeterminant(sum, d, b, c);
-    addDeterminant(sum, d, o, b);
-    addDeterminant(sum, d, c, o);
+    addTripleProduct(sum, d, b, c);
+    addTripleProduct(sum, d, o, b);
+    addTripleProduct(sum, d, c, o);
     return sum.value();
 }
 
 double planeDeterminantExact(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     ExactSum sum;
-    addDeterminant(sum, p, a, b);
-    addDeterminant(sum, p, b, c);
-    addDeterminant(sum, p, c, a);
-    addDeterminant(sum, -a, b, c);
+    addTripleProduct(sum, p, a, b);
+    addTripleProduct(sum, p, b, c);
+    addTripleProduct(sum, p, c, a);
+    addTripleProduct(sum, -a, b, c);
     return sum.value();
 }
 
 double directionDeterminantExact(glm::vec3 d, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     ExactSum sum;
-    addDeterminant(sum, d, a, b);
-    addDeterminant(sum, d, b, c);
-    addDeterminant(sum, d, c, a);
+    addTripleProduct(sum, d, a, b);
+    addTripleProduct(sum, d, b, c);
+    addTripleProduct(sum, d, c, a);
     return sum.value();
+}
+
+namespace {
+
+int sign(double x) {
+    return (x > 0.0) - (x < 0.0);
+}
+
+template <class Vec>
+double maxNorm(const Vec& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// Sign of v . (x × y) in double, or 0 where that is in doubt. The bound is derived in
+/// intersect.cpp, for vectors that are differences of floats.
+int certainSign(const glm::dvec3& v, const glm::dvec3& x, const glm::dvec3& y) {
+    const double value = glm::dot(v, glm::cross(x, y));
+    const double bound = 0x1p-47 * maxNorm(v) * maxNorm(x) * maxNorm(y);
+    return std::abs(value) > bound ? sign(value) : 0;
+}
+
+} // namespace
+
+int planeSide(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+    const glm::dvec3 from(a);
+    const int side = certainSign(glm::dvec3(p) - from, glm::dvec3(b) - from, glm::dvec3(c) - from);
+    return side != 0 ? side : sign(planeDeterminantExact(p, a, b, c));
+}
+
+int directionSide(glm::vec3 d, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+    const glm::dvec3 from(a);
+    const int side = certainSign(glm::dvec3(d), glm::dvec3(b) - from, glm::dvec3(c) - from);
+    return side != 0 ? side : sign(directionDeterminantExact(d, a, b, c));
 }
 
 } // namespace dirt

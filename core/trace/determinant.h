@@ -16,4 +16,8 @@ double planeDeterminantExact(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c)
 /// d . ((b - a) x (c - a)).
 double directionDeterminantExact(glm::vec3 d, glm::vec3 a, glm::vec3 b, glm::vec3 c);
 
+/// Exact signs (-1, 0, 1) of the two determinants above; double arithmetic where that suffices.
+int planeSide(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c);
+int directionSide(glm::vec3 d, glm::vec3 a, glm::vec3 b, glm::vec3 c);
+
 } // namespace dirt

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cmath>
+
+#include <glm/vec3.hpp>
 
 namespace dirt {
 
@@ -47,5 +48,22 @@ private:
     std::array<double, 48> parts_{};
     int count_ = 0;
 };
+
+/// Adds x . (y × z) to \p sum.
+inline void addTripleProduct(ExactSum& sum, glm::vec3 x, glm::vec3 y, glm::vec3 z) {
+    sum.addProduct(x.x, y.y, z.z);
+    sum.addProduct(-x.x, y.z, z.y);
+    sum.addProduct(x.y, y.z, z.x);
+    sum.addProduct(-x.y, y.x, z.z);
+    sum.addProduct(x.z, y.x, z.y);
+    sum.addProduct(-x.z, y.y, z.x);
+}
+
+/// x . (y × z): relative error at most 2^-50, exact sign.
+inline double tripleProductExact(glm::vec3 x, glm::vec3 y, glm::vec3 z) {
+    ExactSum sum;
+    addTripleProduct(sum, x, y, z);
+    return sum.value();
+}
 
 } // namespace dirt
