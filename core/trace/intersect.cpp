@@ -9,13 +9,11 @@
 
 #include <glm/geometric.hpp>
 
-// Bound of a computed determinant d . (B × C) with B = b - o, C = c - o rounded to precision u.
+// Bound of a computed determinant d . (B × C) with B = b - o, C = c - o rounded to u = 2^-53.
 // Each difference has a relative error u, each product of two of them 3 u, their difference 4 u of
 // the magnitudes, times d 5 u, and two sums make it 7 u (1 + O(u)) of
 //     sum |d_i| (|B_j C_k| + |B_k C_j|) <= 2 |d|_1 |B|_max |C|_max.
-// So the error is below 16 u |d|_1 |B|_max |C|_max. Products below FLT_MIN may be flushed: at most
-// six of them before the multiplication by d, and three sums after it, below
-// 2^-123 (|d|_1 + 1); in double, products of three floats cannot underflow.
+// So the error is below 16 u |d|_1 |B|_max |C|_max. Products of three floats cannot underflow.
 
 namespace dirt {
 namespace {
@@ -27,24 +25,6 @@ auto maxNorm(const Vec& v) {
 template <class Vec>
 auto oneNorm(const Vec& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
-/// Float filter: whether two of the edge determinants certainly have opposite signs. Written so
-/// that a NaN (an overflow) leaves the question open.
-bool certainlyMisses(const Ray& ray, const Triangle& triangle) {
-    const glm::vec3 a = triangle.a - ray.origin;
-    const glm::vec3 b = triangle.b - ray.origin;
-    const glm::vec3 c = triangle.c - ray.origin;
-    const glm::vec3& d = ray.direction;
-    const float length = oneNorm(d);
-    const float scale = 0x1p-20f * length, flush = 0x1p-123f * (length + 1.0f);
-    const float na = maxNorm(a), nb = maxNorm(b), nc = maxNorm(c);
-    const float u = glm::dot(d, glm::cross(b, c)), eu = scale * nb * nc + flush;
-    const float v = glm::dot(d, glm::cross(c, a)), ev = scale * nc * na + flush;
-    const float w = glm::dot(d, glm::cross(a, b)), ew = scale * na * nb + flush;
-    const bool positive = u > eu || v > ev || w > ew;
-    const bool negative = u < -eu || v < -ev || w < -ew;
-    return positive && negative;
 }
 
 /// Weights of a, b and c: the edge determinants, with exact signs.
@@ -99,8 +79,6 @@ std::pair<double, double> distanceFraction(const Ray& ray, const Triangle& t) {
 } // namespace
 
 bool intersect(const Ray& ray, const Triangle& triangle, TriangleHit& out) {
-    if (certainlyMisses(ray, triangle)) return false;
-
     EdgeWeights weights = edgeWeights(ray, triangle);
     const bool positive = weights.a > 0.0 || weights.b > 0.0 || weights.c > 0.0;
     const bool negative = weights.a < 0.0 || weights.b < 0.0 || weights.c < 0.0;

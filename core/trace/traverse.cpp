@@ -2,6 +2,7 @@
 
 #include "core/grid/denormals.h"
 #include "core/trace/intersect.h"
+#include "core/trace/ray_filter.h"
 #include "core/trace/view_walk.h"
 
 #include <algorithm>
@@ -109,6 +110,7 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
     Hit best;
     const Ray ray = flushedRay(given);
     if (!isTraceable(ray)) return best;
+    const RayFilter filter(ray);
     TraversalCounts local;
     double limit = kInfinity;
     bool located = false; // best.view and best.tile hold best.t
@@ -120,8 +122,10 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
             ++local.bins;
             for (uint32_t id : grid.list(visit.view, visit.tile, b)) {
                 ++local.tests;
+                const Triangle& triangle = geometry.triangles[id];
                 TriangleHit candidate;
-                if (!intersect(ray, geometry.triangles[id], candidate)) continue;
+                if (filter.certainlyMisses(triangle) || !intersect(ray, triangle, candidate))
+                    continue;
                 const bool again = best.primitive == id;
                 if (!again && !isNearer(candidate, id, best)) continue;
                 if (isSkipped(geometry, ray, id)) continue;
@@ -149,6 +153,7 @@ bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given, f
             TraversalCounts* counts) {
     const Ray ray = flushedRay(given);
     if (!isTraceable(ray) || !(maxT > 0.0f)) return false;
+    const RayFilter filter(ray);
     TraversalCounts local;
     double limit = upperBound(maxT);
     bool found = false;
@@ -160,9 +165,10 @@ bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given, f
             ++local.bins;
             for (uint32_t id : grid.list(visit.view, visit.tile, b)) {
                 ++local.tests;
+                const Triangle& triangle = geometry.triangles[id];
                 TriangleHit candidate;
-                if (intersect(ray, geometry.triangles[id], candidate) && candidate.t < maxT &&
-                    !isSkipped(geometry, ray, id)) {
+                if (!filter.certainlyMisses(triangle) && intersect(ray, triangle, candidate) &&
+                    candidate.t < maxT && !isSkipped(geometry, ray, id)) {
                     found = true;
                     limit = -1.0; // ends the walk
                     break;
