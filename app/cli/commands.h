@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace dirt {
+
+// Each function adds one command to the program. The command runs in its callback, throws
+// InputError or CapabilityError where it cannot go on (main turns them into one line and a
+// status), and sets \p status otherwise: 0 done, 1 a check failed, 130 stopped by Ctrl-C.
+
+/// `dirt render SCENE`: renders an image.
+void addRender(CLI::App& program, int& status);
+
+/// `dirt verify SCENE`: adjudicates rays exactly, beside Embree.
+void addVerify(CLI::App& program, int& status);
+
+/// `dirt info SCENE`: what a scene holds and what its structure costs.
+void addInfo(CLI::App& program, int& status);
+
+/// `dirt generate NAME`: writes a procedural scene's geometry.
+void addGenerate(CLI::App& program, int& status);
+
+} // namespace dirt

@@ -1,0 +1,58 @@
+#include "app/cli/commands.h"
+#include "core/io/error.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+namespace dirt {
+
+namespace {
+
+enum ExitStatus { kDone = 0, kBadInput = 2, kMissingCapability = 3 };
+
+/// Prints the one line that explains a status of 2 or 3.
+int fail(ExitStatus status, const std::string& message) {
+    const std::string line = message.substr(0, message.find('\n'));
+    std::fprintf(stderr, "dirt: %s\n", line.c_str());
+    return status;
+}
+
+int run(int argc, char** argv) {
+    CLI::App program("Deferred Image-based Ray Tracing: the reference implementation", "dirt");
+    program.set_version_flag("--version", "dirt " DIRT_VERSION);
+    program.require_subcommand(0, 1);
+    program.get_formatter()->column_width(36);
+
+    int status = kDone;
+    addInfo(program, status);
+    addGenerate(program, status);
+
+    try {
+        program.parse(argc, argv);
+        if (program.get_subcommands().empty()) std::fputs(program.help().c_str(), stdout);
+        return status;
+    } catch (const CLI::Success& request) { // --help, --version
+        return program.exit(request);
+    } catch (const CLI::ParseError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const InputError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const CapabilityError& error) {
+        return fail(kMissingCapability, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(kBadInput, "out of memory: a smaller --size, fewer --bins or a larger --tile "
+                               "needs less");
+    } catch (const std::exception& error) {
+        return fail(kBadInput, error.what());
+    }
+}
+
+} // namespace
+
+} // namespace dirt
+
+int main(int argc, char** argv) {
+    return dirt::run(argc, argv);
+}

@@ -1,0 +1,102 @@
+#include "app/cli/option_values.h"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace dirt {
+
+namespace {
+
+/// Reads all of \p text as a number; false where it is anything else.
+template <class Number>
+bool parse(std::string_view text, Number& value) {
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    return result.ec == std::errc() && result.ptr == end;
+}
+
+[[noreturn]] void refuse(const std::string& name, const std::string& text,
+                         const std::string& expected) {
+    throw CLI::ValidationError(name, "'" + text + "' is not " + expected);
+}
+
+using SetText = std::function<void(const std::string&)>;
+
+CLI::Option* addText(CLI::App& command, const std::string& name, const std::string& typeName,
+                     const std::string& help, const SetText& set) {
+    return command.add_option_function<std::string>(name, set, help)->type_name(typeName);
+}
+
+} // namespace
+
+CLI::Option* addInteger(CLI::App& command, const std::string& name, int64_t low, int64_t high,
+                        const std::string& help, std::function<void(int64_t)> set) {
+    const std::string expected =
+        "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+    return addText(command, name, "N", help, [=](const std::string& text) {
+        int64_t value = 0;
+        if (!parse(text, value) || value < low || value > high) refuse(name, text, expected);
+        set(value);
+    });
+}
+
+CLI::Option* addNumber(CLI::App& command, const std::string& name, float low, float high,
+                       const std::string& help, std::function<void(float)> set) {
+    const auto show = [](float bound) {
+        char text[32];
+        return std::string(text, std::to_chars(text, text + sizeof text, bound).ptr);
+    };
+    const std::string expected = "a number between " + show(low) + " and " + show(high);
+    return addText(command, name, "NUMBER", help, [=](const std::string& text) {
+        float value = 0.0f;
+        if (!parse(text, value) || !(value > low && value < high)) refuse(name, text, expected);
+        set(value);
+    });
+}
+
+CLI::Option* addVector(CLI::App& command, const std::string& name, const std::string& help,
+                       std::function<void(glm::vec3)> set) {
+    return addText(command, name, "X,Y,Z", help, [=](const std::string& text) {
+        const std::string_view all = text;
+        const size_t first = all.find(',');
+        const size_t second = first == all.npos ? all.npos : all.find(',', first + 1);
+        glm::vec3 value{0.0f};
+        if (second == all.npos || !parse(all.substr(0, first), value.x) ||
+            !parse(all.substr(first + 1, second - first - 1), value.y) ||
+            !parse(all.substr(second + 1), value.z) || !std::isfinite(value.x) ||
+            !std::isfinite(value.y) || !std::isfinite(value.z))
+            refuse(name, text, "three numbers X,Y,Z");
+        set(value);
+    });
+}
+
+CLI::Option* addChoice(CLI::App& command, const std::string& name,
+                       const std::vector<std::string>& words, const std::string& help,
+                       std::function<void(size_t)> set) {
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "" : "|") + word;
+    return addText(command, name, list, help, [=](const std::string& text) {
+        for (size_t i = 0; i < words.size(); ++i)
+            if (text == words[i]) return set(i);
+        refuse(name, text, "one of " + list);
+    });
+}
+
+CLI::Option* addSize(CLI::App& command, const std::string& name, int high, const std::string& help,
+                     std::function<void(int width, int height)> set) {
+    const std::string expected =
+        "a size WxH of 1x1 to " + std::to_string(high) + "x" + std::to_string(high) + " pixels";
+    return addText(command, name, "WxH", help, [=](const std::string& text) {
+        const std::string_view all = text;
+        const size_t cross = all.find_first_of("xX");
+        int width = 0, height = 0;
+        if (cross == all.npos || !parse(all.substr(0, cross), width) ||
+            !parse(all.substr(cross + 1), height) || width < 1 || height < 1 || width > high ||
+            height > high)
+            refuse(name, text, expected);
+        set(width, height);
+    });
+}
+
+} // namespace dirt

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+#include <glm/vec3.hpp>
+
+namespace dirt {
+
+// Options whose values are read by rules of our own: the whole text must be a value, and the error
+// is one line that names the option, the text and what would have been right.
+
+/// A whole number from \p low to \p high.
+CLI::Option* addInteger(CLI::App& command, const std::string& name, int64_t low, int64_t high,
+                        const std::string& help, std::function<void(int64_t)> set);
+
+/// A finite number above \p low and below \p high.
+CLI::Option* addNumber(CLI::App& command, const std::string& name, float low, float high,
+                       const std::string& help, std::function<void(float)> set);
+
+/// Three finite numbers X,Y,Z.
+CLI::Option* addVector(CLI::App& command, const std::string& name, const std::string& help,
+                       std::function<void(glm::vec3)> set);
+
+/// One word of several; \p set gets its index.
+CLI::Option* addChoice(CLI::App& command, const std::string& name,
+                       const std::vector<std::string>& words, const std::string& help,
+                       std::function<void(size_t)> set);
+
+/// Text of the form WxH, two whole numbers from 1 to \p high.
+CLI::Option* addSize(CLI::App& command, const std::string& name, int high, const std::string& help,
+                     std::function<void(int width, int height)> set);
+
+} // namespace dirt

@@ -1,0 +1,108 @@
+#include "app/cli/options.h"
+
+#include "app/cli/memory_limit.h"
+#include "app/cli/option_values.h"
+#include "core/grid/view.h"
+#include "core/io/error.h"
+
+#include <glm/geometric.hpp>
+
+namespace dirt {
+
+namespace {
+
+constexpr int kMaxSize = 65536;
+
+void addStructureOptions(CLI::App& command, CommonOptions& o) {
+    addChoice(command, "--backend", {"cpu", "gl", "embree"}, "what finds the hits (default: cpu)",
+              [&o](size_t i) {
+                  if (i == 1)
+                      throw CapabilityError("--backend gl: built without the OpenGL backend");
+                  o.backend = i == 0 ? BackendKind::cpu : BackendKind::embree;
+              });
+    addChoice(command, "--view", {"full", "single"},
+              "six views around the eye, or only the camera's (default: full)",
+              [&o](size_t i) { o.view = i == 0 ? ViewMode::full : ViewMode::single; });
+    addInteger(command, "--tile", 1, 64, "pixels along a tile (default: 16)",
+               [&o](int64_t n) { o.tile = (int) n; });
+    addInteger(command, "--bins", 1, 256, "depth bins of a tile (default: 16)",
+               [&o](int64_t n) { o.bins = (int) n; });
+    addInteger(command, "--view-size", 1, kMaxSize,
+               "pixels along a cube face (default: the image's height)",
+               [&o](int64_t n) { o.viewSize = (int) n; });
+    // The pyramid over kMaxTiles = 2^13 tiles has the levels 0 to 13.
+    addInteger(command, "--max-mip", 0, 13,
+               "highest level of the depth pyramid that is used (default: all)",
+               [&o](int64_t n) { o.maxMip = (int) n; });
+    addChoice(command, "--traversal", {"hierarchical", "linear"},
+              "through the depth pyramid, or tile by tile (default: hierarchical)", [&o](size_t i) {
+                  o.traversal = i == 0 ? Traversal::hierarchical : Traversal::linear;
+              });
+    addChoice(command, "--precision", {"exact", "fast"}, "of hits (default: exact)", [](size_t i) {
+        if (i == 1) throw CapabilityError("--precision fast: not built yet, only exact");
+    });
+}
+
+void addImageOptions(CLI::App& command, CommonOptions& o) {
+    addSize(command, "--size", kMaxSize, "image size (default: 1024x512)",
+            [&o](int width, int height) {
+                o.size = ImageSize{width, height};
+            });
+    addInteger(command, "--spp", 1, 1 << 24, "samples per pixel (default: 16)",
+               [&o](int64_t n) { o.samples = (int) n; });
+    addInteger(command, "--bounces", 1, 1024, "path length, 1: direct light only (default: 3)",
+               [&o](int64_t n) { o.bounces = (int) n; });
+    addInteger(command, "--seed", 0, 0xffffffffll, "of the random numbers (default: 0)",
+               [&o](int64_t n) { o.seed = (uint32_t) n; });
+    addVector(command, "--eye", "where the camera stands", [&o](glm::vec3 v) { o.eye = v; });
+    addVector(command, "--target", "what it looks at", [&o](glm::vec3 v) { o.target = v; });
+    addVector(command, "--up", "which way is up", [&o](glm::vec3 v) { o.up = v; });
+    addNumber(command, "--fov", 0.0f, 180.0f, "vertical field of view, degrees",
+              [&o](float degrees) { o.verticalFov = degrees; });
+}
+
+} // namespace
+
+void addCommonOptions(CLI::App& command, CommonOptions& o) {
+    command.add_option("SCENE", o.scene, "a .scene or .obj file")->required();
+    addImageOptions(command, o);
+    addStructureOptions(command, o);
+    addInteger(command, "--threads", 1, 1024, "worker threads (default: all cores)",
+               [&o](int64_t n) { o.threads = (unsigned) n; });
+    command.add_flag("--quiet", o.quiet, "print nothing but errors on standard error");
+    command.add_flag("--strict", o.strict, "take what the scene lacks as an error");
+}
+
+RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& o) {
+    GridSettings& grid = settings.grid;
+    grid.mode = o.view.value_or(grid.mode);
+    if (o.size) {
+        grid.width = o.size->width;
+        grid.height = o.size->height;
+    }
+    grid.viewSize = o.viewSize.value_or(grid.viewSize);
+    grid.tile = o.tile.value_or(grid.tile);
+    grid.bins = o.bins.value_or(grid.bins);
+    grid.maxMip = o.maxMip.value_or(grid.maxMip);
+    grid.traversal = o.traversal.value_or(grid.traversal);
+    settings.samples = o.samples.value_or(settings.samples);
+    settings.bounces = o.bounces.value_or(settings.bounces);
+    settings.seed = o.seed.value_or(settings.seed);
+    checkMemory(grid, availableMemory());
+    return settings;
+}
+
+Camera mergeCamera(Camera camera, const CommonOptions& o) {
+    camera.eye = o.eye.value_or(camera.eye);
+    camera.target = o.target.value_or(camera.target);
+    camera.up = o.up.value_or(camera.up);
+    camera.verticalFov = o.verticalFov.value_or(camera.verticalFov);
+
+    const glm::dvec3 forward = glm::dvec3(camera.target) - glm::dvec3(camera.eye);
+    const glm::dvec3 right = glm::cross(forward, glm::dvec3(camera.up));
+    if (forward == glm::dvec3(0.0)) throw InputError("camera: eye and target are the same point");
+    if (right == glm::dvec3(0.0)) throw InputError("camera: it looks along its up direction");
+    return camera;
+}
+
+} // namespace dirt

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/frame/settings.h"
+#include "core/scene/camera.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <CLI/App.hpp>
+#include <glm/vec3.hpp>
+
+namespace dirt {
+
+/// What finds the hits.
+enum class BackendKind { cpu, embree };
+
+/// Image size in pixels.
+struct ImageSize {
+    int width = 0, height = 0;
+};
+
+/// The options that every command with a scene has. What is not given stays empty, and the scene
+/// file's value, or else the default, holds.
+struct CommonOptions {
+    std::string scene; ///< a .scene file or a bare .obj
+    BackendKind backend = BackendKind::cpu;
+
+    std::optional<ViewMode> view;
+    std::optional<ImageSize> size;
+    std::optional<int> viewSize;
+    std::optional<int> tile;
+    std::optional<int> bins;
+    std::optional<int> maxMip;
+    std::optional<Traversal> traversal;
+    std::optional<int> samples;
+    std::optional<int> bounces;
+    std::optional<uint32_t> seed;
+
+    std::optional<glm::vec3> eye, target, up;
+    std::optional<float> verticalFov; ///< degrees
+
+    unsigned threads = 0; ///< 0: all cores
+    bool quiet = false;   ///< nothing on standard error but errors
+    bool strict = false;  ///< what a scene lacks is an error, not a warning
+};
+
+/// Adds SCENE and the common options to \p command. Values out of range end the parsing with a
+/// CLI::ValidationError. \p options must outlive the parsing.
+void addCommonOptions(CLI::App& command, CommonOptions& options);
+
+/// \p settings (the scene file's over the defaults) with the options that were given on top.
+/// Throws InputError where the result would need more memory than the machine has.
+RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& options);
+
+/// \p camera with --eye, --target, --up and --fov on top. Throws InputError where eye and target
+/// coincide or the view is along the up direction.
+Camera mergeCamera(Camera camera, const CommonOptions& options);
+
+} // namespace dirt
