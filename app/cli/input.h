@@ -2,10 +2,13 @@
 
 #include "app/cli/options.h"
 #include "core/frame/backend.h"
-#include "core/frame/settings.h"
+#include "core/frame/executor.h"
+#include "core/io/load_report.h"
 #include "core/scene/scene.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace dirt {
 
@@ -13,13 +16,18 @@ namespace dirt {
 struct Input {
     Scene scene;             ///< with a camera, and a light where the file is a bare OBJ
     RenderSettings settings; ///< options over the scene file over the defaults
+    std::vector<Warning> warnings;
+    std::vector<std::string> ignored; ///< names in the files that have no effect
 };
 
-/// Loads SCENE of \p options. Warnings go to standard error unless --quiet; with --strict they are
-/// errors. A bare OBJ gets a camera and a light that show it. Throws InputError.
-Input openInput(const CommonOptions& options);
+/// The threads of \p options.
+std::unique_ptr<Executor> makeExecutor(const CommonOptions& options);
 
-/// The backend of \p options with its threads. Throws CapabilityError where this build lacks it.
-std::unique_ptr<Backend> makeBackend(const CommonOptions& options);
+/// The backend of \p options. Throws CapabilityError where this build lacks it.
+std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& executor);
+
+/// Loads SCENE of \p options; a scene without a camera gets one, a bare OBJ also a light and a
+/// background. Prints the warnings on standard error unless --quiet. Throws InputError.
+Input openInput(const CommonOptions& options, Executor& executor);
 
 } // namespace dirt

@@ -5,6 +5,9 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
 
 namespace dirt {
 
@@ -17,6 +20,20 @@ int fail(ExitStatus status, const std::string& message) {
     const std::string line = message.substr(0, message.find('\n'));
     std::fprintf(stderr, "dirt: %s\n", line.c_str());
     return status;
+}
+
+/// One line for what CLI11 says on one or two, in our words where its own are not clear.
+std::string describe(const CLI::App& program, const CLI::ParseError& error) {
+    const auto chosen = program.get_subcommands();
+    const std::string help = " (dirt " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +
+                             "--help shows what there is)";
+    const std::string text = error.what();
+    const std::vector<std::string> extras = program.remaining(true);
+    if (error.get_name() == "ExtrasError" && !extras.empty())
+        return "unexpected argument '" + extras.front() + "'" + help;
+    if (error.get_name() == "ArgumentMismatch")
+        return text.substr(0, text.find(':')) + ": its value is missing" + help;
+    return error.get_name() == "RequiredError" ? text + help : text;
 }
 
 int run(int argc, char** argv) {
@@ -36,7 +53,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& request) { // --help, --version
         return program.exit(request);
     } catch (const CLI::ParseError& error) {
-        return fail(kBadInput, error.what());
+        return fail(kBadInput, describe(program, error));
     } catch (const InputError& error) {
         return fail(kBadInput, error.what());
     } catch (const CapabilityError& error) {

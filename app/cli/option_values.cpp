@@ -25,7 +25,9 @@ using SetText = std::function<void(const std::string&)>;
 
 CLI::Option* addText(CLI::App& command, const std::string& name, const std::string& typeName,
                      const std::string& help, const SetText& set) {
-    return command.add_option_function<std::string>(name, set, help)->type_name(typeName);
+    return command.add_option_function<std::string>(name, set, help)
+        ->type_name(typeName)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
 } // namespace

@@ -92,6 +92,11 @@ RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& o) {
     return settings;
 }
 
+void checkCameraOptions(const CommonOptions& o) {
+    if (o.eye && o.eye == o.target) throw InputError("--eye and --target are the same point");
+    if (o.up == glm::vec3(0.0f)) throw InputError("--up is zero");
+}
+
 Camera mergeCamera(Camera camera, const CommonOptions& o) {
     camera.eye = o.eye.value_or(camera.eye);
     camera.target = o.target.value_or(camera.target);

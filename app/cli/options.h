@@ -53,6 +53,9 @@ void addCommonOptions(CLI::App& command, CommonOptions& options);
 /// Throws InputError where the result would need more memory than the machine has.
 RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& options);
 
+/// Throws InputError where --eye and --target are the same point, or --up is zero.
+void checkCameraOptions(const CommonOptions& options);
+
 /// \p camera with --eye, --target, --up and --fov on top. Throws InputError where eye and target
 /// coincide or the view is along the up direction.
 Camera mergeCamera(Camera camera, const CommonOptions& options);

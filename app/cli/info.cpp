@@ -1,0 +1,165 @@
+#include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "app/cli/json_report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include <glm/common.hpp>
+
+namespace dirt {
+
+namespace {
+
+struct InfoOptions {
+    CommonOptions common;
+    bool json = false;
+};
+
+/// What there is to say of a scene besides its run.
+struct SceneCounts {
+    size_t emissiveTriangles = 0;
+    size_t texturesNamed = 0, textureBytes = 0;
+    glm::vec3 low{0.0f}, high{0.0f}; ///< box of the triangles, world space
+};
+
+SceneCounts count(const Input& input) {
+    const Scene& scene = input.scene;
+    SceneCounts counts;
+    counts.low = counts.high = scene.mesh.positions[scene.mesh.triangles.front()[0]];
+    for (size_t i = 0; i < scene.mesh.triangles.size(); ++i) {
+        for (uint32_t corner : scene.mesh.triangles[i]) {
+            counts.low = glm::min(counts.low, scene.mesh.positions[corner]);
+            counts.high = glm::max(counts.high, scene.mesh.positions[corner]);
+        }
+        if (scene.materials[scene.mesh.materials[i]].emission != glm::vec3(0.0f))
+            ++counts.emissiveTriangles;
+    }
+    const auto missing =
+        std::count_if(input.warnings.begin(), input.warnings.end(), [](const Warning& warning) {
+            return warning.kind == WarningKind::unusableTexture;
+        });
+    counts.texturesNamed = scene.textures.size() + (size_t) missing;
+    for (const Texture& texture : scene.textures) counts.textureBytes += texture.bytes();
+    return counts;
+}
+
+Json vectorJson(glm::vec3 v) {
+    return {v.x, v.y, v.z};
+}
+
+Json describe(const Input& input, const Backend& backend, const Executor& executor) {
+    const Scene& scene = input.scene;
+    const SceneCounts counts = count(input);
+    Json json = reportOf(input, backend, executor);
+    json["materials"] = scene.materials.size();
+    json["textures"] = {{"found", scene.textures.size()},
+                        {"named", counts.texturesNamed},
+                        {"bytes", counts.textureBytes}};
+    json["lights"] = scene.lights.size();
+    json["emissive_triangles"] = counts.emissiveTriangles;
+    json["background"] = vectorJson(scene.background);
+    json["bounds"] = {{"min", vectorJson(counts.low)}, {"max", vectorJson(counts.high)}};
+    json["camera"] = {{"eye", vectorJson(scene.camera.eye)},
+                      {"target", vectorJson(scene.camera.target)},
+                      {"up", vectorJson(scene.camera.up)},
+                      {"fov", scene.camera.verticalFov}};
+    json["warnings"] = Json::array();
+    for (const Warning& warning : input.warnings) json["warnings"].push_back(warning.text);
+    json["ignored"] = input.ignored;
+    return json;
+}
+
+void printRow(const char* label, const std::string& text) {
+    std::printf("  %-22s %s\n", label, text.c_str());
+}
+
+std::string megabytes(uint64_t bytes) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%10.2f MB", (double) bytes / 1e6);
+    return text;
+}
+
+std::string vectorText(const Json& v) {
+    char text[96];
+    std::snprintf(text, sizeof text, "(%g, %g, %g)", v[0].get<float>(), v[1].get<float>(),
+                  v[2].get<float>());
+    return text;
+}
+
+std::string countText(const Json& number) {
+    return std::to_string(number.get<uint64_t>());
+}
+
+void printList(const char* label, const Json& lines) {
+    printRow(label, lines.empty() ? "none" : std::to_string(lines.size()));
+    for (const Json& line : lines) std::printf("    %s\n", line.get<std::string>().c_str());
+}
+
+void printScene(const Json& info) {
+    std::printf("%s\n", info["scene"].get<std::string>().c_str());
+    printRow("triangles", countText(info["triangles"]));
+    printRow("of them emissive", countText(info["emissive_triangles"]));
+    printRow("materials", countText(info["materials"]));
+    printRow("textures", countText(info["textures"]["found"]) + " of " +
+                             countText(info["textures"]["named"]) + " that are named, " +
+                             megabytes(info["textures"]["bytes"]));
+    printRow("lights", countText(info["lights"]));
+    printRow("background", vectorText(info["background"]));
+    printRow("box", vectorText(info["bounds"]["min"]) + " .. " + vectorText(info["bounds"]["max"]));
+    printRow("camera",
+             vectorText(info["camera"]["eye"]) + " to " + vectorText(info["camera"]["target"]));
+    printList("warnings", info["warnings"]);
+    printList("without effect", info["ignored"]);
+}
+
+void printStructure(const Json& info) {
+    std::printf("structure (%s, %s)\n", info["backend"].get<std::string>().c_str(),
+                info["device"].get<std::string>().c_str());
+    printRow("image", countText(info["size"][0]) + "x" + countText(info["size"][1]) + ", " +
+                          countText(info["spp"]) + " samples, " + countText(info["bounces"]) +
+                          " bounces");
+    printRow("views", countText(info["views"]) + ", " + info["view"].get<std::string>());
+    printRow("tile and bins", countText(info["tile"]) + " pixels, " + countText(info["bins"]));
+    printRow("list entries", countText(info["list_entries"]));
+    for (const auto& [name, bytes] : info["memory"].items())
+        printRow(name.c_str(), megabytes(bytes.get<uint64_t>()));
+    for (const Json& pass : info["passes"]) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%10.2f ms", pass["ms"].get<double>());
+        printRow(pass["name"].get<std::string>().c_str(), text);
+    }
+}
+
+void runInfo(const InfoOptions& options) {
+    const auto executor = makeExecutor(options.common);
+    CommonOptions common = options.common;
+    common.quiet = true; // the warnings are part of what is printed
+    const Input input = openInput(common, *executor);
+    const auto backend = makeBackend(options.common, *executor);
+    const FrameGeometry geometry =
+        makeFrameGeometry(input.scene.mesh, input.scene.camera, input.settings.grid.mode);
+    backend->build(geometry, input.scene.camera, input.settings.grid);
+
+    const Json info = describe(input, *backend, *executor);
+    if (options.json) {
+        std::printf("%s\n", info.dump(2).c_str());
+        return;
+    }
+    printScene(info);
+    printStructure(info);
+}
+
+} // namespace
+
+void addInfo(CLI::App& program, int&) {
+    CLI::App* command =
+        program.add_subcommand("info", "what a scene holds, and what its structure costs");
+    const auto options = std::make_shared<InfoOptions>();
+    addCommonOptions(*command, options->common);
+    command->add_flag("--json", options->json, "print one JSON object on standard output");
+    command->callback([options] { runInfo(*options); });
+}
+
+} // namespace dirt

@@ -1,0 +1,102 @@
+#include "app/cli/input.h"
+
+#include "backend_cpu/cpu_backend.h"
+#include "backend_cpu/thread_pool.h"
+#include "core/frame/auto_camera.h"
+#include "core/io/error.h"
+#include "core/io/load.h"
+
+#ifdef DIRT_HAVE_EMBREE
+#include "backend_embree/embree_backend.h"
+#endif
+
+#include <algorithm>
+#include <cstdio>
+
+namespace dirt {
+
+namespace {
+
+/// Radiance around a bare OBJ.
+constexpr float kObjBackground = 0.5f;
+
+/// Names without effect that are printed before every run; info prints them all.
+constexpr size_t kIgnoredShown = 5;
+
+RenderSettings settingsOf(const SceneSettings& file) {
+    RenderSettings settings;
+    settings.grid.mode = file.view.value_or(settings.grid.mode);
+    settings.grid.tile = file.tile.value_or(settings.grid.tile);
+    settings.grid.bins = file.bins.value_or(settings.grid.bins);
+    settings.bounces = file.bounces.value_or(settings.bounces);
+    return settings;
+}
+
+/// Whether \p file, which could be loaded, is a bare OBJ.
+bool isObj(const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    return extension.size() == 4 && (extension[1] | 0x20) == 'o';
+}
+
+void print(const LoadedScene& loaded) {
+    for (const Warning& warning : loaded.warnings)
+        std::fprintf(stderr, "dirt: warning: %s\n", warning.text.c_str());
+    std::string names;
+    const size_t shown = std::min(loaded.ignored.size(), kIgnoredShown);
+    for (size_t i = 0; i < shown; ++i) names += (i == 0 ? "" : ", ") + loaded.ignored[i];
+    if (shown < loaded.ignored.size())
+        names += " and " + std::to_string(loaded.ignored.size() - shown) + " more, see dirt info";
+    if (!names.empty()) std::fprintf(stderr, "dirt: ignored: %s\n", names.c_str());
+}
+
+Standpoint standpointOf(const Mesh& mesh, const CommonOptions& options, const GridSettings& grid,
+                        Executor& executor) {
+    CameraHints hints;
+    hints.eye = options.eye;
+    hints.target = options.target;
+    hints.up = options.up.value_or(hints.up);
+    hints.verticalFov = options.verticalFov.value_or(hints.verticalFov);
+    hints.aspect = (float) grid.width / (float) grid.height;
+    CpuBackend backend(executor);
+    return chooseStandpoint(mesh, backend, hints);
+}
+
+} // namespace
+
+std::unique_ptr<Executor> makeExecutor(const CommonOptions& options) {
+    return std::make_unique<ThreadPool>(options.threads);
+}
+
+std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& executor) {
+    if (options.backend == BackendKind::cpu) return std::make_unique<CpuBackend>(executor);
+#ifdef DIRT_HAVE_EMBREE
+    return std::make_unique<EmbreeBackend>(executor);
+#else
+    throw CapabilityError("--backend embree: built without Embree");
+#endif
+}
+
+Input openInput(const CommonOptions& options, Executor& executor) {
+    checkCameraOptions(options);
+    LoadedScene loaded = loadScene(options.scene, {.strict = options.strict});
+    if (!options.quiet) print(loaded);
+
+    Input input;
+    input.settings = mergeSettings(settingsOf(loaded.settings), options);
+    if (!loaded.hasCamera) {
+        const Standpoint standpoint =
+            standpointOf(loaded.scene.mesh, options, input.settings.grid, executor);
+        loaded.scene.camera = standpoint.camera;
+        if (isObj(options.scene)) {
+            loaded.scene.lights = {standpoint.light};
+            loaded.scene.background = glm::vec3(kObjBackground);
+        }
+    }
+    loaded.scene.camera = mergeCamera(loaded.scene.camera, options);
+    input.scene = std::move(loaded.scene);
+    input.warnings = std::move(loaded.warnings);
+    input.ignored = std::move(loaded.ignored);
+    return input;
+}
+
+} // namespace dirt

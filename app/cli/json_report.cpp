@@ -1,0 +1,41 @@
+#include "app/cli/json_report.h"
+
+namespace dirt {
+
+Json reportOf(const Input& input, const Backend& backend, const Executor& executor) {
+    const GridSettings& grid = input.settings.grid;
+    Json report;
+    report["scene"] = input.scene.name;
+    report["backend"] = backend.name();
+    report["device"] = backend.device();
+    report["triangles"] = input.scene.mesh.triangles.size();
+    report["view"] = grid.mode == ViewMode::full ? "full" : "single";
+    report["views"] = grid.mode == ViewMode::full ? 6 : 1;
+    report["tile"] = grid.tile;
+    report["bins"] = grid.bins;
+    report["size"] = {grid.width, grid.height};
+    report["spp"] = input.settings.samples;
+    report["bounces"] = input.settings.bounces;
+    report["seed"] = input.settings.seed;
+    report["threads"] = executor.threads();
+
+    double buildMs = 0.0;
+    report["passes"] = Json::array();
+    for (const PassTime& pass : backend.buildPasses()) {
+        report["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"event", pass.event}});
+        buildMs += pass.ms;
+    }
+    report["build_ms"] = buildMs;
+
+    uint64_t total = 0;
+    report["memory"] = Json::object();
+    for (const auto& [name, bytes] : backend.memory()) {
+        report["memory"][name] = bytes;
+        total += bytes;
+    }
+    report["memory"]["total"] = total;
+    report["list_entries"] = backend.listEntries();
+    return report;
+}
+
+} // namespace dirt
