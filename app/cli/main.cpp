@@ -27,13 +27,14 @@ std::string describe(const CLI::App& program, const CLI::ParseError& error) {
     const auto chosen = program.get_subcommands();
     const std::string help = " (dirt " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +
                              "--help shows what there is)";
+    const auto is = [&](CLI::ExitCodes kind) { return error.get_exit_code() == (int) kind; };
     const std::string text = error.what();
     const std::vector<std::string> extras = program.remaining(true);
-    if (error.get_name() == "ExtrasError" && !extras.empty())
+    if (is(CLI::ExitCodes::ExtrasError) && !extras.empty())
         return "unexpected argument '" + extras.front() + "'" + help;
-    if (error.get_name() == "ArgumentMismatch")
+    if (is(CLI::ExitCodes::ArgumentMismatch))
         return text.substr(0, text.find(':')) + ": its value is missing" + help;
-    return error.get_name() == "RequiredError" ? text + help : text;
+    return is(CLI::ExitCodes::RequiredError) ? text + help : text;
 }
 
 int run(int argc, char** argv) {

@@ -20,7 +20,7 @@ constexpr size_t kRays = kColumns * kRows;
 constexpr double kLeastHits = 0.2;    ///< of the rays, in every direction from an inside place
 constexpr double kMostBehind = 0.6;   ///< of the hits, on the back of triangles: in a solid
 constexpr double kStandingRoom = 0.1; ///< 10 % quantile of distances, of the scene's height
-constexpr double kComfortable = 0.4;  ///< distance at which a hit counts a quarter, of the height
+constexpr double kComfortable = 1.0;  ///< distance at which a hit counts a quarter, of the height
 
 constexpr double kFromOutside = 0.5; ///< what such a view counts: of a room it shows the shell
 
@@ -145,7 +145,7 @@ Standpoint chooseStandpoint(const Mesh& mesh, Backend& backend, const CameraHint
 
     const double height = std::max(extent.least(), 1e-30);
     glm::dvec3 eye = places.back().eye, direction = places.back().directions.back();
-    double best = 0.0, distance = extent.diagonal();
+    double best = 0.0, distance = glm::length(extent.world(extent.centre()) - eye);
     size_t first = 0;
     for (const Viewpoint& place : places) {
         std::vector<Glance> glances;

@@ -11,7 +11,7 @@ namespace dirt {
 namespace {
 
 constexpr int kHeadings = 12; ///< directions tried at one place
-constexpr int kSpots = 5;     ///< places along each horizontal axis
+constexpr int kSpots = 4;     ///< places along each horizontal axis, besides the middle
 
 /// Corners looked at for the quantiles: beyond this many they hardly move.
 constexpr size_t kQuantileCorners = 30'000;
@@ -54,7 +54,8 @@ double distanceToFit(const SceneExtent& extent, glm::dvec3 direction, const Came
             std::max(std::abs(glm::dot(p, right)) / wide, std::abs(glm::dot(p, up)) / tall);
         distance = std::max(distance, needed - glm::dot(p, direction));
     }
-    return distance;
+    if (distance > 0.0) return distance;
+    return std::max(1.0, glm::length(extent.centre())); // the box is a point
 }
 
 } // namespace
@@ -83,7 +84,9 @@ SceneExtent extentOf(const Mesh& mesh, glm::vec3 upward) {
             alongForward.push_back(q.z);
         }
     extent.spotsRight = quantiles(std::move(alongRight));
+    extent.spotsRight.push_back(extent.centre().x);
     extent.spotsForward = quantiles(std::move(alongForward));
+    extent.spotsForward.push_back(extent.centre().z);
     return extent;
 }
 

@@ -16,7 +16,7 @@ struct SceneExtent {
     glm::dvec3 right, up, forward; ///< orthonormal, world space
     glm::dvec3 low{std::numeric_limits<double>::max()};
     glm::dvec3 high{std::numeric_limits<double>::lowest()};
-    std::vector<double> spotsRight, spotsForward; ///< quantiles of the triangles' corners
+    std::vector<double> spotsRight, spotsForward; ///< quantiles of the corners; the middle
 
     glm::dvec3 world(glm::dvec3 q) const { return q.x * right + q.y * up + q.z * forward; }
     glm::dvec3 centre() const { return 0.5 * (low + high); }

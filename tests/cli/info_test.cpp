@@ -1,0 +1,126 @@
+// `dirt info`: what it says of a scene, and that options override the file, which overrides the
+// defaults.
+
+#include "tests/cli/program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace dirt::test {
+namespace {
+
+using nlohmann::json;
+
+json info(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"info", "--json"});
+    const Run run = dirt(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return json::parse(run.out);
+}
+
+std::string sceneWith(const TemporaryFolder& folder, const std::string& tracing) {
+    folder.write("a.obj", kTriangleObj);
+    return folder.write("a.scene", "<world>" + tracing +
+                                       "<object file=\"a.obj\"/>"
+                                       "<user position=\"0 0 0\" lookat=\"0 0 -1\"/></world>");
+}
+
+TEST(Info, CountsWhatTheSceneHolds) {
+    const TemporaryFolder folder;
+    folder.write("m.mtl", "newmtl lamp\nKe 1 1 1\nnewmtl wall\nmap_Kd none.png\n");
+    const json got =
+        info({folder.write("two.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 -3\n"
+                                      "usemtl lamp\nf 1 2 3\nusemtl wall\nf 1 2 4\n")});
+    EXPECT_EQ(got["scene"], "two");
+    EXPECT_EQ(got["triangles"], 2);
+    EXPECT_EQ(got["emissive_triangles"], 1);
+    EXPECT_EQ(got["textures"]["found"], 0);
+    EXPECT_EQ(got["textures"]["named"], 1);
+    EXPECT_EQ(got["warnings"].size(), 1u);
+    EXPECT_EQ(got["bounds"]["min"], json({0.0, 0.0, -3.0}));
+    EXPECT_EQ(got["bounds"]["max"], json({1.0, 2.0, 0.0}));
+}
+
+TEST(Info, DefaultsHoldWhereNothingIsSaid) {
+    const TemporaryFolder folder;
+    const json got = info({sceneWith(folder, "")});
+    EXPECT_EQ(got["backend"], "cpu");
+    EXPECT_EQ(got["size"], json({1024, 512}));
+    EXPECT_EQ(got["view"], "full");
+    EXPECT_EQ(got["views"], 6);
+    EXPECT_EQ(got["tile"], 16);
+    EXPECT_EQ(got["bins"], 16);
+    EXPECT_EQ(got["spp"], 16);
+    EXPECT_EQ(got["bounces"], 3);
+    EXPECT_EQ(got["seed"], 0);
+}
+
+TEST(Info, TheFileOverridesDefaultsAndOptionsOverrideTheFile) {
+    const TemporaryFolder folder;
+    const std::string scene = sceneWith(folder, "<tracing block_size=\"4\" buckets=\"8\" "
+                                                "indirect_bounces=\"4\" faces=\"single\"/>");
+    const json file = info({scene});
+    EXPECT_EQ(file["tile"], 4);
+    EXPECT_EQ(file["bins"], 8);
+    EXPECT_EQ(file["bounces"], 5);
+    EXPECT_EQ(file["view"], "single");
+    EXPECT_EQ(file["views"], 1);
+
+    const json options =
+        info({scene,        "--tile",    "32",     "--bins", "5",     "--bounces", "2",
+              "--view",     "full",      "--size", "64x33",  "--spp", "7",         "--seed",
+              "4294967295", "--threads", "1",      "--eye",  "0,0,1", "--fov",     "30"});
+    EXPECT_EQ(options["tile"], 32);
+    EXPECT_EQ(options["bins"], 5);
+    EXPECT_EQ(options["bounces"], 2);
+    EXPECT_EQ(options["view"], "full");
+    EXPECT_EQ(options["size"], json({64, 33}));
+    EXPECT_EQ(options["spp"], 7);
+    EXPECT_EQ(options["seed"], 4294967295u);
+    EXPECT_EQ(options["threads"], 1);
+    EXPECT_EQ(options["camera"]["eye"], json({0.0, 0.0, 1.0}));
+    EXPECT_EQ(options["camera"]["fov"], 30.0);
+}
+
+TEST(Info, MemoryIsTheSumOfItsBuffers) {
+    const TemporaryFolder folder;
+    const json memory = info({sceneWith(folder, "")})["memory"];
+    uint64_t sum = 0;
+    for (const auto& [name, bytes] : memory.items())
+        if (name != "total") sum += bytes.get<uint64_t>();
+    EXPECT_GT(sum, 0u);
+    EXPECT_EQ(memory["total"], sum);
+}
+
+TEST(Info, JsonIsAloneOnStandardOutput) {
+    const TemporaryFolder folder;
+    const Run run = dirt(
+        {"info", "--json", folder.write("a.obj", std::string("mtllib none.mtl\n") + kTriangleObj)});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_TRUE(json::accept(run.out));
+}
+
+TEST(Info, ABareObjGetsACameraOfItsOwn) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("a.obj", kTriangleObj);
+    const json chosen = info({scene});
+    EXPECT_EQ(chosen["lights"], 1);
+    EXPECT_EQ(chosen["background"], json({0.5, 0.5, 0.5}));
+    EXPECT_EQ(info({scene})["camera"], chosen["camera"]);
+
+    const json given = info({scene, "--eye", "0,0,5", "--target", "0,0,0", "--up", "1,0,0"});
+    EXPECT_EQ(given["camera"]["eye"], json({0.0, 0.0, 5.0}));
+    EXPECT_EQ(given["camera"]["target"], json({0.0, 0.0, 0.0}));
+    EXPECT_EQ(given["camera"]["up"], json({1.0, 0.0, 0.0}));
+}
+
+TEST(Info, TheGeneralOnesNeedNoScene) {
+    EXPECT_EQ(dirt({}).status, 0);
+    EXPECT_EQ(dirt({"--help"}).status, 0);
+    EXPECT_NE(dirt({"info", "--help"}).out.find("--tile"), std::string::npos);
+    EXPECT_EQ(dirt({"--version"}).out.rfind("dirt ", 0), 0u);
+    EXPECT_NE(dirt({"generate", "--list"}).out.find("atrium"), std::string::npos);
+}
+
+} // namespace
+} // namespace dirt::test
