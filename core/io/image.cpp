@@ -1,0 +1,99 @@
+#include "core/io/image.h"
+
+#include "core/io/error.h"
+#include "core/io/output_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+namespace dirt {
+
+namespace {
+
+/// One line of what OpenImageIO has to say.
+std::string firstLine(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+/// Encodes into memory, where no disk can fill up unnoticed, then writes the bytes.
+void encode(const std::string& path, const char* format, OIIO::ImageSpec spec,
+            const ImageMetadata& metadata, const void* pixels) {
+    for (const auto& [name, value] : metadata) spec.attribute(name, value);
+    // Or else the time of writing and the library's version would get into the file.
+    spec.attribute("DateTime", "2016:06:20 00:00:00");
+    spec.attribute("Software", "dirt");
+
+    const auto fail = [&path](const std::string& reason) {
+        throw InputError(path + ": cannot write: " + firstLine(reason));
+    };
+    OIIO::Filesystem::IOVecOutput memory;
+    const auto output = OIIO::ImageOutput::create(format);
+    if (!output) fail(OIIO::geterror());
+    if (!output->set_ioproxy(&memory)) fail("OpenImageIO cannot encode into memory");
+    // Each call may report success and leave an error behind all the same.
+    const bool done =
+        output->open(path, spec) && output->write_image(spec.format, pixels) && output->close();
+    if (!done || output->has_error()) fail(output->geterror());
+    writeFile(path, std::as_bytes(std::span(memory.buffer())));
+}
+
+std::unique_ptr<OIIO::ImageInput> openImage(const std::string& path) {
+    auto input = OIIO::ImageInput::open(path);
+    if (!input) throw InputError(path + ": cannot read: " + firstLine(OIIO::geterror()));
+    return input;
+}
+
+} // namespace
+
+ImageFormat imageFormat(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return (char) std::tolower(c); });
+    if (extension == ".png") return ImageFormat::png;
+    if (extension == ".exr") return ImageFormat::exr;
+    throw InputError(path + ": an image's name has to end in .png or .exr");
+}
+
+void writePng(const std::string& path, int width, int height, std::span<const uint8_t> rgb,
+              const ImageMetadata& metadata) {
+    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
+    encode(path, "png", std::move(spec), metadata, rgb.data());
+}
+
+void writeExr(const std::string& path, const Image& image, const ImageMetadata& metadata) {
+    static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+    OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::FLOAT);
+    spec.attribute("compression", "zip");
+    spec.attribute("oiio:ColorSpace", "linear");
+    encode(path, "openexr", std::move(spec), metadata, image.pixels.data());
+}
+
+Image readImage(const std::string& path) {
+    const auto input = openImage(path);
+    const OIIO::ImageSpec spec = input->spec();
+    const int channels = std::min(spec.nchannels, 3);
+    std::vector<float> values((size_t) spec.width * spec.height * channels);
+    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data()))
+        throw InputError(path + ": cannot read: " + firstLine(input->geterror()));
+
+    Image image{spec.width, spec.height, std::vector<glm::vec3>((size_t) spec.width * spec.height)};
+    for (size_t i = 0; i < image.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            image.pixels[i][c] = values[i * channels + (channels == 3 ? c : 0)];
+    return image;
+}
+
+ImageMetadata readMetadata(const std::string& path) {
+    const auto input = openImage(path);
+    ImageMetadata metadata;
+    for (const OIIO::ParamValue& value : input->spec().extra_attribs)
+        if (value.name().string().rfind("dirt:", 0) == 0)
+            metadata.emplace_back(value.name().string(), value.get_string());
+    return metadata;
+}
+
+} // namespace dirt

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace dirt {
+
+/// Row-major pixels, the first row on top; linear Rec.709 radiance.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<glm::vec3> pixels;
+};
+
+/// Attributes that an image file carries, "dirt:…" by convention. Numbers of 64 bits as text.
+using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
+
+/// Formats that images are written in.
+enum class ImageFormat { png, exr };
+
+/// The format that a file name's extension asks for, in any letter case. Throws InputError for any
+/// other.
+ImageFormat imageFormat(const std::string& path);
+
+/// Writes display-encoded 8-bit R, G, B, row-major, as PNG. The file appears whole or not at all,
+/// and equal input gives equal bytes. Throws InputError where it cannot be written.
+void writePng(const std::string& path, int width, int height, std::span<const uint8_t> rgb,
+              const ImageMetadata& metadata);
+
+/// Writes R, G, B as 32-bit float, zip-compressed EXR, in the same way.
+void writeExr(const std::string& path, const Image& image, const ImageMetadata& metadata);
+
+/// Reads the first three channels of any image, as stored: EXR is linear, 8-bit values come out in
+/// [0, 1] without decoding. One channel becomes grey. Throws InputError.
+Image readImage(const std::string& path);
+
+/// The string attributes of an image file whose names begin with "dirt:".
+ImageMetadata readMetadata(const std::string& path);
+
+} // namespace dirt

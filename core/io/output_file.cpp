@@ -1,0 +1,93 @@
+#include "core/io/output_file.h"
+
+#include "core/io/error.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace dirt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+    throw InputError(path + ": cannot write: " + reason);
+}
+
+/// A new file beside \p path, removed again unless it takes that path's place.
+class TemporaryFile {
+public:
+    explicit TemporaryFile(const std::string& path) : path_(path) {
+        std::error_code error;
+        const fs::file_status status = fs::status(path, error);
+        if (fs::is_directory(status)) fail(path, "is a folder");
+        if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "not a regular file");
+
+        const fs::path target(path);
+        for (int attempt = 0; descriptor_ < 0; ++attempt) {
+            std::ostringstream name;
+            name << '.' << target.filename().string() << '.' << getpid() << '-' << attempt;
+            temporary_ = target.parent_path() / name.str();
+            descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (descriptor_ < 0 && errno != EEXIST) fail(path, std::strerror(errno));
+        }
+    }
+
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    ~TemporaryFile() {
+        if (descriptor_ >= 0) close(descriptor_);
+        if (!renamed_) unlink(temporary_.c_str());
+    }
+
+    void write(std::span<const std::byte> bytes) {
+        while (!bytes.empty()) {
+            const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) fail(path_, std::strerror(errno));
+            bytes = bytes.subspan((size_t) count);
+        }
+    }
+
+    void takePlace() {
+        // Some file systems report a full disk or quota only here. EINVAL: nothing to flush there.
+        if (fsync(descriptor_) != 0 && errno != EINVAL) fail(path_, std::strerror(errno));
+        const int closed = close(descriptor_);
+        descriptor_ = -1;
+        if (closed != 0) fail(path_, std::strerror(errno));
+        if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, std::strerror(errno));
+        renamed_ = true;
+    }
+
+private:
+    std::string path_;
+    fs::path temporary_;
+    int descriptor_ = -1;
+    bool renamed_ = false;
+};
+
+} // namespace
+
+void writeFile(const std::string& path, std::span<const std::byte> bytes) {
+    TemporaryFile file(path);
+    file.write(bytes);
+    file.takePlace();
+}
+
+void writeFile(const std::string& path, const std::string& text) {
+    writeFile(path, std::as_bytes(std::span(text)));
+}
+
+void checkWritable(const std::string& path) {
+    TemporaryFile file(path);
+}
+
+} // namespace dirt

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/grid/geometry.h"
+#include "core/trace/ray.h"
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace dirt {
+
+/// Sub-pixel offset in [0, 1)^2 that all pixels of a sample share (box filter).
+glm::vec2 subPixelOffset(uint32_t sample, uint32_t seed);
+
+/// Rays through the pixels of an image, from the eye, in the grid frame. Pixel (0, 0) is top left,
+/// its centre (0.5, 0.5). In single mode the direction is (x, y, 1), x and y the pixel's slopes; in
+/// full mode it is the same direction on world axes, not of unit length.
+class CameraRays {
+public:
+    CameraRays(const Camera& camera, int width, int height, ViewMode mode);
+
+    /// Ray through the point (\p x, \p y) of the image plane, in pixels.
+    Ray through(float x, float y) const;
+
+private:
+    glm::vec2 slope_; ///< at (0, 0)
+    glm::vec2 step_;  ///< slope per pixel
+    glm::vec3 right_, down_, forward_;
+};
+
+} // namespace dirt

@@ -1,0 +1,48 @@
+// The common subset of C++ and GLSL in which the headers of this folder are written, so that both
+// languages compute the same bits: x, +, -, /, sqrt and floor on floats, integers, and no built-in
+// function that an implementation may approximate.
+#ifndef DIRT_SHARED_LANGUAGE_H
+#define DIRT_SHARED_LANGUAGE_H
+
+#ifdef __cplusplus
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#define DIRT_SHARED_BEGIN namespace dirt {
+#define DIRT_SHARED_END }
+#define DIRT_FUNCTION inline
+#define DIRT_OUT(type) type&
+#define DIRT_PRECISE // -ffp-contract=off does it
+
+namespace dirt {
+using uint = uint32_t;
+using glm::uvec4;
+using glm::vec2;
+using glm::vec3;
+using std::floor;
+using std::sqrt;
+inline uint floatBitsToUint(float x) {
+    return std::bit_cast<uint>(x);
+}
+inline float uintBitsToFloat(uint x) {
+    return std::bit_cast<float>(x);
+}
+} // namespace dirt
+
+#else
+
+#define DIRT_SHARED_BEGIN
+#define DIRT_SHARED_END
+#define DIRT_FUNCTION
+#define DIRT_OUT(type) out type
+#define DIRT_PRECISE precise
+
+#endif
+
+#endif

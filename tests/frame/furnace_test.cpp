@@ -1,0 +1,108 @@
+// Scenes whose radiance is known in closed form, for every single path and not only on average.
+
+#include "backend_cpu/cpu_backend.h"
+#include "core/frame/renderer.h"
+#include "tests/frame/shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace dirt {
+namespace {
+
+RenderSettings settings(ViewMode mode, int bounces) {
+    RenderSettings result;
+    result.grid.mode = mode;
+    result.grid.width = 48;
+    result.grid.height = 32;
+    result.samples = 4;
+    result.bounces = bounces;
+    return result;
+}
+
+Image render(const Scene& scene, const RenderSettings& settings) {
+    SerialExecutor executor;
+    CpuBackend backend(executor);
+    return Renderer(scene, settings, backend, executor).render().image;
+}
+
+/// What a wall of radiance Le and reflectance rho shows after n events: Le (1 + rho + …), n terms.
+double furnaceRadiance(double emission, double reflectance, int bounces) {
+    double sum = 0.0, weight = 1.0;
+    for (int k = 0; k < bounces; ++k, weight *= reflectance) sum += emission * weight;
+    return sum;
+}
+
+/// Floats only: a product and a sum per event and a sum per sample, 2^-24 each.
+constexpr double kRounding = 1e-5;
+
+TEST(Furnace, ClosedBoxShowsTheGeometricSeries) {
+    Scene scene;
+    const glm::vec3 reflectance(0.8f, 0.5f, 1.0f), emission(1.0f, 3.0f, 0.25f);
+    scene.materials = {test::material(reflectance, emission)};
+    test::addBox(scene.mesh, {-1, -2, -3}, {2, 3, 1}, 0);
+    test::addSphere(scene.mesh, {0.3f, 0.2f, -1.4f}, 0.4f, 8, false, 0);
+    scene.camera.eye = {0.1f, 0.2f, 0.3f};
+    scene.background = glm::vec3(1000.0f); // would betray a leak
+    for (int bounces : {1, 2, 3, 8}) {
+        const Image image = render(scene, settings(ViewMode::full, bounces));
+        for (const glm::vec3& pixel : image.pixels)
+            for (int c = 0; c < 3; ++c) {
+                const double exact = furnaceRadiance(emission[c], reflectance[c], bounces);
+                ASSERT_NEAR(pixel[c] / exact, 1.0, kRounding) << bounces << " bounces";
+            }
+    }
+}
+
+TEST(Furnace, ConvexBodyInAWhiteSkyShowsItsReflectance) {
+    Scene scene;
+    const glm::vec3 reflectance(0.9f, 0.5f, 0.1f);
+    scene.materials = {test::material(reflectance)};
+    test::addSphere(scene.mesh, glm::vec3(0.0f), 1.0f, 12, false, 0);
+    scene.camera.eye = {0, 0.5f, 3};
+    scene.camera.target = {0, 0, 0};
+    scene.background = glm::vec3(1.0f);
+    // Every path leaves the body at once and for good; more bounces change nothing.
+    for (int bounces : {2, 4}) {
+        const Image image = render(scene, settings(ViewMode::full, bounces));
+        const glm::vec3 center = image.pixels[16 * 48 + 24], corner = image.pixels[0];
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(center[c] / reflectance[c], 1.0, kRounding);
+            EXPECT_EQ(corner[c], 1.0f);
+        }
+    }
+}
+
+TEST(Furnace, SingleViewGivesBackgroundToPrimaryRaysOnly) {
+    Scene scene;
+    scene.materials = {test::material(glm::vec3(0.9f))};
+    test::addSphere(scene.mesh, glm::vec3(0.0f), 1.0f, 12, false, 0);
+    scene.camera.eye = {0, 0.5f, 3};
+    scene.camera.target = {0, 0, 0};
+    scene.background = glm::vec3(1.0f);
+    const Image image = render(scene, settings(ViewMode::single, 3));
+    EXPECT_EQ(image.pixels[16 * 48 + 24], glm::vec3(0.0f));
+    EXPECT_EQ(image.pixels[0], glm::vec3(1.0f));
+}
+
+TEST(Furnace, NothingLeaksIntoAClosedBox) {
+    // Light and sky outside, smooth normals inside that point anywhere: black, in every sample.
+    Scene scene;
+    scene.materials = {test::material(glm::vec3(0.9f))};
+    test::addBox(scene.mesh, glm::vec3(-1.0f), glm::vec3(1.0f), 0);
+    test::addSphere(scene.mesh, {0.2f, -0.4f, -0.5f}, 0.3f, 6, true, 0);
+    scene.background = glm::vec3(1e6f);
+    Spotlight light;
+    light.position = {0, 1.01f, 0};
+    light.target = {0, 0, 0};
+    light.aperture = light.penumbra = 170.0f;
+    light.flux = 1e6f;
+    scene.lights = {light};
+    scene.camera.eye = {0.3f, 0.2f, 0.8f};
+    for (ViewMode mode : {ViewMode::full, ViewMode::single}) {
+        const Image image = render(scene, settings(mode, 5));
+        for (const glm::vec3& pixel : image.pixels) ASSERT_EQ(pixel, glm::vec3(0.0f));
+    }
+}
+
+} // namespace
+} // namespace dirt

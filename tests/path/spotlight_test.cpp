@@ -1,0 +1,167 @@
+#include "core/path/spotlight.h"
+
+#include "core/path/camera_rays.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace dirt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Spotlight lightAbove() {
+    Spotlight light;
+    light.position = {0, 2, 0};
+    light.target = {0, 0, 0};
+    light.color = {1.0f, 0.5f, 0.25f};
+    light.flux = 100.0f;
+    light.aperture = 90.0f;
+    light.penumbra = 90.0f;
+    return light;
+}
+
+/// A point at \p angle from the axis of lightAbove (radians), \p distance from it.
+glm::vec3 below(double angle, double turn, double distance) {
+    return glm::vec3(distance * std::sin(angle) * std::cos(turn), 2.0 - distance * std::cos(angle),
+                     distance * std::sin(angle) * std::sin(turn));
+}
+
+// Rounding: point, difference, squared length (3), falloff's angle and quotient (about 12 in all),
+// product; 24 of 2^-24 each hold them.
+constexpr double kRounding = 24 * 0x1p-24;
+
+TEST(Spotlight, IrradianceFallsWithTheSquareOfTheDistance) {
+    const GridSpotlight light(lightAbove(), GridFrame{});
+    const double intensity = 100.0 / (2.0 * kPi * (1.0 - std::cos(kPi / 4.0)));
+    for (double distance : {1e-3, 0.5, 1.0, 3.0, 1000.0}) {
+        const LightSample sample = light.sample(below(0.3, 1.0, distance));
+        // The point itself is rounded, relative to the light's height of 2.
+        const double bound = kRounding + 4.0 * 0x1p-24 * (2.0 + distance) / distance;
+        const double exact = intensity / (distance * distance);
+        EXPECT_NEAR(sample.irradiance.x / exact, 1.0, bound) << distance;
+        EXPECT_NEAR(sample.irradiance.y / exact, 0.5, bound) << distance;
+        EXPECT_NEAR(sample.irradiance.z / exact, 0.25, bound) << distance;
+        EXPECT_NEAR(glm::length(glm::dvec3(sample.direction)), 1.0, 8 * 0x1p-24);
+    }
+}
+
+TEST(Spotlight, PenumbraFallsOffByTheFormula) {
+    for (float exponent : {0.0f, 0.5f, 1.0f, 3.0f}) {
+        Spotlight description = lightAbove();
+        description.penumbra = 40.0f;
+        description.exponent = exponent;
+        const GridSpotlight light(description, GridFrame{});
+        const double outer = std::cos(kPi / 4.0), inner = std::cos(kPi / 9.0);
+        const double axis = light.sample(below(0.0, 0.0, 1.0)).irradiance.x;
+        for (double angle : {0.1, 0.3, 0.36, 0.5, 0.7, 0.78}) {
+            const double part = std::min(1.0, (std::cos(angle) - outer) / (inner - outer));
+            const double exact = std::pow(part, (double) exponent);
+            // part is a difference of numbers of order 1 over a range of 0.23.
+            const double bound = (kRounding / 0.23 / part) * std::max(1.0f, exponent) + 0x1p-20;
+            for (double turn : {0.0, 1.0, 4.0})
+                EXPECT_NEAR(light.sample(below(angle, turn, 1.0)).irradiance.x / (exact * axis),
+                            1.0, bound)
+                    << "exponent " << exponent << ", angle " << angle;
+        }
+        for (double angle : {0.79, 1.5, 2.0, 3.1})
+            EXPECT_EQ(light.sample(below(angle, 0.5, 1.0)).irradiance, glm::vec3(0.0f)) << angle;
+    }
+}
+
+TEST(Spotlight, FluxIsWhatTheConeEmits) {
+    for (float aperture : {0.1f, 5.0f, 40.0f, 90.0f, 179.0f, 270.0f}) {
+        Spotlight description = lightAbove();
+        description.color = glm::vec3(1.0f);
+        description.aperture = description.penumbra = aperture;
+        description.position = description.target = glm::vec3(0.0f);
+        description.target.y = -1.0f;
+        const GridSpotlight light(description, GridFrame{});
+        // Rings of equal solid angle around the axis, out to twice the cone's: the edge falls
+        // between two rings, so that the sum is exact but for rounding near it (one ring).
+        const int rings = 20000;
+        const double s = std::sin(aperture * kPi / 720.0);
+        const double cone = 2.0 * s * s; // 1 - cos
+        const double step = cone / (rings + 0.5);
+        double flux = 0.0;
+        for (int ring = 0; (ring + 0.5) * step < std::min(2.0 * cone, 2.0); ++ring) {
+            const double depth = (ring + 0.5) * step; // 1 - cos(angle) of the ring's middle
+            const double side = std::sqrt(depth * (2.0 - depth));
+            const glm::vec3 point(side, depth - 1.0, 0.0);
+            flux += light.sample(point).irradiance.x * 2.0 * kPi * step;
+        }
+        EXPECT_NEAR(flux, 100.0, 100.0 * (1.0 / rings)) << aperture;
+    }
+}
+
+TEST(Spotlight, SquareFrustum) {
+    Spotlight description = lightAbove();
+    description.conical = false;
+    const GridSpotlight light(description, GridFrame{});
+    // Half aperture 45 degrees: |x| and |z| up to the depth are lit, corners included.
+    EXPECT_GT(light.sample({0.99f, 1.0f, 0.99f}).irradiance.x, 0.0f);
+    EXPECT_GT(light.sample({-0.99f, 1.0f, 0.99f}).irradiance.x, 0.0f);
+    EXPECT_EQ(light.sample({1.01f, 1.0f, 0.0f}).irradiance.x, 0.0f);
+    EXPECT_EQ(light.sample({0.0f, 1.0f, -1.01f}).irradiance.x, 0.0f);
+    EXPECT_EQ(light.sample({0.0f, 3.0f, 0.0f}).irradiance.x, 0.0f);
+}
+
+TEST(Spotlight, WorldUnitsAtAnyScaleAndInBothModes) {
+    // The same world seen from two eyes and in both modes, enlarged by any factor s with s^2 times
+    // the flux: the same irradiance everywhere.
+    const glm::vec3 world(0.4f, 0.25f, -0.3f);
+    const float reference = GridSpotlight(lightAbove(), GridFrame{}).sample(world).irradiance.x;
+    for (float s : {1e-6f, 1e-3f, 1.0f, 1e6f})
+        for (ViewMode mode : {ViewMode::full, ViewMode::single}) {
+            Spotlight description = lightAbove();
+            description.position *= s;
+            description.flux *= s * s;
+            Camera camera;
+            camera.eye = glm::vec3(1.0f, 1.5f, 2.0f) * s;
+            camera.target = glm::vec3(0.1f, 0.2f, 0.0f) * s;
+            Mesh mesh;
+            mesh.positions = {world * s, glm::vec3(s, 0, 0), glm::vec3(0, 0, s)};
+            mesh.triangles = {{0, 1, 2}};
+            const GridFrame frame = makeFrameGeometry(mesh, camera, mode).frame;
+            const LightSample sample =
+                GridSpotlight(description, frame).sample(frame.toGrid(world * s));
+            // Position and rotation are rounded at coordinates of about 3, the distance is 1.8.
+            EXPECT_NEAR(sample.irradiance.x / reference, 1.0, 4 * kRounding) << s;
+        }
+}
+
+TEST(CameraRays, BothModesLookTheSame) {
+    Camera camera;
+    camera.eye = {3, 2, 1};
+    camera.target = {-1, 0.5f, 0.25f};
+    camera.verticalFov = 53.0f;
+    const CameraBasis basis = cameraBasis(camera);
+    const CameraRays full(camera, 200, 100, ViewMode::full);
+    const CameraRays single(camera, 200, 100, ViewMode::single);
+    for (float y : {0.0f, 0.5f, 50.0f, 99.9f})
+        for (float x : {0.0f, 0.5f, 100.0f, 199.9f}) {
+            const glm::dvec3 world(full.through(x, y).direction);
+            const glm::dvec3 view(single.through(x, y).direction);
+            // Values of at most 2, a few roundings each.
+            EXPECT_NEAR(glm::dot(world, glm::dvec3(basis.right)), view.x, 8 * 0x1p-23);
+            EXPECT_NEAR(glm::dot(world, glm::dvec3(basis.down)), view.y, 8 * 0x1p-23);
+            EXPECT_NEAR(glm::dot(world, glm::dvec3(basis.forward)), view.z, 8 * 0x1p-23);
+            EXPECT_EQ(view.z, 1.0);
+        }
+}
+
+TEST(CameraRays, PixelZeroIsTopLeft) {
+    Camera camera; // looks along -Z, Y up
+    const CameraRays rays(camera, 100, 100, ViewMode::full);
+    const glm::vec3 corner = rays.through(0.0f, 0.0f).direction;
+    const float slope = (float) std::tan(22.5 * kPi / 180.0);
+    EXPECT_NEAR(corner.x, -slope, 0x1p-22);
+    EXPECT_NEAR(corner.y, slope, 0x1p-22);
+    EXPECT_EQ(corner.z, -1.0f);
+}
+
+} // namespace
+} // namespace dirt
