@@ -82,9 +82,14 @@ void passDepthMask(const FrameContext& frame, uint32_t sample, int event, PathBu
     paths.rays.swap(rays);
 }
 
-void passTrace(const FrameContext& frame, PathBuffers& paths) {
+void passTrace(const FrameContext& frame, int event, PathBuffers& paths) {
     paths.hits.resize(paths.rays.size());
     frame.backend.trace(paths.rays, paths.hits);
+    if (event == 0 || !frame.view) return;
+    frame.executor.forRange(paths.rays.size(), kGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            if (paths.hits[i].t > frame.view->exit(paths.rays[i])) paths.hits[i] = Hit{};
+    });
 }
 
 void passFetch(const FrameContext& frame, PathBuffers& paths) {
@@ -112,7 +117,7 @@ void passVisibility(const FrameContext& frame, PathBuffers& paths) {
 
     const size_t count = paths.shadowPaths.size();
     paths.shadowRays.resize(count);
-    paths.shadowMaxT.assign(count, 1.0f);
+    paths.shadowMaxT.resize(count);
     paths.occluded.resize(count);
     frame.executor.forRange(count, kGrain, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; ++s) {
@@ -120,6 +125,7 @@ void passVisibility(const FrameContext& frame, PathBuffers& paths) {
             Ray ray = leavingRay(frame.geometry, paths.hits[i], paths.directions[i]);
             ray.direction = frame.light->position() - ray.origin;
             paths.shadowRays[s] = ray;
+            paths.shadowMaxT[s] = frame.view ? std::min(frame.view->exit(ray), 1.0f) : 1.0f;
         }
     });
     frame.backend.occluded(paths.shadowRays, paths.shadowMaxT, paths.occluded);

@@ -6,6 +6,7 @@
 #include "core/frame/settings.h"
 #include "core/path/camera_rays.h"
 #include "core/path/spotlight.h"
+#include "core/path/view_cone.h"
 #include "core/scene/scene.h"
 
 #include <cstdint>
@@ -18,10 +19,11 @@ struct FrameContext {
     const Scene& scene;
     const FrameGeometry& geometry;
     const RenderSettings& settings;
-    CameraRays camera;
-    std::optional<GridSpotlight> light;
     Backend& backend;
     Executor& executor;
+    CameraRays camera;
+    std::optional<GridSpotlight> light;
+    std::optional<ViewCone> view; ///< single mode: where secondary and shadow rays end
 };
 
 // The passes of one path event, each over all alive paths. Their order is Frame's.
@@ -34,14 +36,14 @@ void passRays(const FrameContext& frame, uint32_t sample, PathBuffers& paths);
 /// surface. \p event is that of the new rays.
 void passDepthMask(const FrameContext& frame, uint32_t sample, int event, PathBuffers& paths);
 
-/// Nearest hits of the rays.
-void passTrace(const FrameContext& frame, PathBuffers& paths);
+/// Nearest hits of the rays. In single mode a secondary ray that leaves the view hits nothing.
+void passTrace(const FrameContext& frame, int event, PathBuffers& paths);
 
 /// Surface points of the hits, by primitive id.
 void passFetch(const FrameContext& frame, PathBuffers& paths);
 
 /// What the light would add to each path, and whether it is occluded. Shadow rays are traced only
-/// where it would add something.
+/// where it would add something; in single mode they end where they leave the view.
 void passVisibility(const FrameContext& frame, PathBuffers& paths);
 
 /// Adds emission, unoccluded light and background to the radiance of each path's pixel.

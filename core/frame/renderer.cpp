@@ -31,7 +31,9 @@ public:
     /// Adds the finished sample to \p sum.
     void accumulate(std::vector<glm::vec3>& sum) {
         clock_.time("Resolve", 0, [&] {
-            for (size_t i = 0; i < sum.size(); ++i) sum[i] += paths_.radiance[i];
+            context_.executor.forRange(sum.size(), 4096, [&](size_t begin, size_t end) {
+                for (size_t i = begin; i < end; ++i) sum[i] += paths_.radiance[i];
+            });
         });
     }
 
@@ -42,7 +44,7 @@ private:
 
     bool event(uint32_t sample, int k) {
         if (stopped()) return false;
-        clock_.time("Trace", k, [&] { passTrace(context_, paths_); });
+        clock_.time("Trace", k, [&] { passTrace(context_, k, paths_); });
         countRays();
         if (hooks_.observe) hooks_.observe({sample, k, paths_.pixels, paths_.rays, paths_.hits});
         clock_.time("Fetch", k, [&] { passFetch(context_, paths_); });
@@ -88,11 +90,15 @@ RenderResult Renderer::render(const RenderHooks& hooks) {
     backend_.build(geometry, scene_.camera, grid);
     result.passes = backend_.buildPasses();
 
-    FrameContext context{
-        scene_,       geometry,
-        settings_,    CameraRays(scene_.camera, grid.width, grid.height, grid.mode),
-        std::nullopt, backend_,
-        executor_};
+    FrameContext context{.scene = scene_,
+                         .geometry = geometry,
+                         .settings = settings_,
+                         .backend = backend_,
+                         .executor = executor_,
+                         .camera = {scene_.camera, grid.width, grid.height, grid.mode},
+                         .light = {},
+                         .view = {}};
+    if (grid.mode == ViewMode::single) context.view.emplace(scene_.camera, grid.width, grid.height);
     if (!scene_.lights.empty()) context.light.emplace(scene_.lights.front(), geometry.frame);
 
     result.image = {grid.width, grid.height,

@@ -18,8 +18,8 @@ constexpr double kPi = std::numbers::pi;
 Scene litFloor(float scale) {
     Scene scene;
     scene.materials = {test::material({0.5f, 0.25f, 1.0f})};
-    test::addQuad(scene.mesh, glm::vec3(-4, 0, -4) * scale, glm::vec3(8, 0, 0) * scale,
-                  glm::vec3(0, 0, 8) * scale, 0);
+    test::addQuad(scene.mesh, glm::vec3(-10, 0, -10) * scale, glm::vec3(20, 0, 0) * scale,
+                  glm::vec3(0, 0, 20) * scale, 0);
     Spotlight light;
     light.position = glm::vec3(0.5f, 3.0f, -0.25f) * scale;
     light.target = glm::vec3(0.5f, 0.0f, -0.25f) * scale;
