@@ -1,0 +1,162 @@
+#include "backend_embree/embree_backend.h"
+
+#include "backend_embree/filter.h"
+#include "core/io/error.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+namespace dirt {
+
+namespace {
+
+constexpr size_t kGrain = 1024; ///< rays traced in one piece
+
+RTCRay toEmbree(const Ray& ray, float tfar) {
+    RTCRay r{};
+    r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
+    r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
+    r.tnear = 0.0f, r.tfar = tfar;
+    r.mask = ~0u;
+    return r;
+}
+
+} // namespace
+
+/// Embree's objects; the scene is null before the first build.
+struct EmbreeBackend::State {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    const FrameGeometry* geometry = nullptr;
+    double buildMs = 0.0;
+    std::atomic<int64_t> bytes{0}; ///< what Embree has allocated now
+    std::string error;             ///< the first that Embree reported
+
+    ~State() {
+        if (scene) rtcReleaseScene(scene);
+        if (device) rtcReleaseDevice(device);
+    }
+
+    void throwOnError(const char* doing) {
+        if (rtcGetDeviceError(device) == RTC_ERROR_NONE) return;
+        throw std::runtime_error(std::string("Embree failed ") + doing + ": " + error);
+    }
+};
+
+EmbreeBackend::EmbreeBackend(Executor& executor, bool robust, EmbreeDecision decision)
+    : executor_(executor), robust_(robust), decision_(decision), state_(std::make_unique<State>()) {
+    const std::string config = "threads=" + std::to_string(executor.threads());
+    state_->device = rtcNewDevice(config.c_str());
+    if (!state_->device) throw CapabilityError("Embree does not start on this machine");
+    rtcSetDeviceErrorFunction(
+        state_->device,
+        [](void* state, RTCError, const char* text) {
+            auto& error = static_cast<State*>(state)->error;
+            if (error.empty() && text) error = text;
+        },
+        state_.get());
+    rtcSetDeviceMemoryMonitorFunction(
+        state_->device,
+        [](void* state, ssize_t bytes, bool) {
+            static_cast<State*>(state)->bytes += bytes;
+            return true;
+        },
+        state_.get());
+}
+
+EmbreeBackend::~EmbreeBackend() = default;
+
+std::string EmbreeBackend::name() const {
+    return robust_ ? "embree robust" : "embree";
+}
+
+std::string EmbreeBackend::device() const {
+    const auto version = rtcGetDeviceProperty(state_->device, RTC_DEVICE_PROPERTY_VERSION);
+    return "Embree " + std::to_string(version / 10000) + "." + std::to_string(version / 100 % 100) +
+           "." + std::to_string(version % 100) + ", " + std::to_string(executor_.threads()) +
+           " threads";
+}
+
+void EmbreeBackend::build(const FrameGeometry& geometry, const Camera&, const GridSettings&) {
+    const auto start = std::chrono::steady_clock::now();
+    State& state = *state_;
+    if (state.scene) rtcReleaseScene(state.scene);
+    state.geometry = &geometry;
+    state.scene = rtcNewScene(state.device);
+    int flags = RTC_SCENE_FLAG_NONE;
+    if (robust_) flags |= RTC_SCENE_FLAG_ROBUST;
+    rtcSetSceneFlags(state.scene, (RTCSceneFlags) flags);
+
+    // Embree reads 16 bytes at each vertex, which the triangle buffer does not have at its end,
+    // so it gets a copy with its own padding.
+    RTCGeometry mesh = rtcNewGeometry(state.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    const size_t count = geometry.triangles.size();
+    void* vertices = rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                             sizeof(glm::vec3), 3 * count);
+    auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
+        mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), count));
+    if (vertices && indices) {
+        static_assert(sizeof(Triangle) == 3 * sizeof(glm::vec3));
+        std::memcpy(vertices, geometry.triangles.data(), count * sizeof(Triangle));
+        for (size_t i = 0; i < 3 * count; i++) indices[i] = (uint32_t) i;
+    }
+    if (decision_ == EmbreeDecision::core) {
+        rtcSetGeometryIntersectFilterFunction(mesh, filterNearest);
+        rtcSetGeometryOccludedFilterFunction(mesh, filterOccluded);
+    } else {
+        rtcSetGeometryIntersectFilterFunction(mesh, filterSkipped);
+        rtcSetGeometryOccludedFilterFunction(mesh, filterSkipped);
+    }
+    rtcCommitGeometry(mesh);
+    rtcAttachGeometry(state.scene, mesh);
+    rtcReleaseGeometry(mesh);
+    rtcCommitScene(state.scene);
+    state.throwOnError("to build");
+    state.buildMs =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void EmbreeBackend::trace(std::span<const Ray> rays, std::span<Hit> hits) {
+    const auto nearest = [&](const Ray& ray) -> Hit {
+        if (!isTraceable(ray)) return {};
+        constexpr float kFar = std::numeric_limits<float>::infinity();
+        QueryContext query(*state_->geometry, ray, kFar);
+        RTCRayHit result{toEmbree(ray, kFar), {}};
+        result.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(state_->scene, &query.embree, &result);
+        if (decision_ == EmbreeDecision::core) return query.best;
+        if (result.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+        return {result.hit.primID, result.ray.tfar, result.hit.u, result.hit.v, 0, 0};
+    };
+    executor_.forRange(rays.size(), kGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; i++) hits[i] = nearest(rays[i]);
+    });
+}
+
+void EmbreeBackend::occluded(std::span<const Ray> rays, std::span<const float> maxT,
+                             std::span<uint8_t> result) {
+    const auto blocked = [&](const Ray& ray, float limit) -> bool {
+        if (!isTraceable(ray) || !(limit > 0.0f)) return false;
+        QueryContext query(*state_->geometry, ray, limit);
+        const bool core = decision_ == EmbreeDecision::core;
+        RTCRay r = toEmbree(ray, core ? limit * kLookBehind : limit);
+        rtcOccluded1(state_->scene, &query.embree, &r);
+        return r.tfar < 0.0f; // Embree's mark of an occluded ray
+    };
+    executor_.forRange(rays.size(), kGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; i++) result[i] = blocked(rays[i], maxT[i]) ? 1 : 0;
+    });
+}
+
+std::vector<PassTime> EmbreeBackend::buildPasses() const {
+    return {{"EmbreeBuild", state_->buildMs, 0}};
+}
+
+std::vector<BufferSize> EmbreeBackend::memory() const {
+    return {{"embree scene", (uint64_t) state_->bytes.load()}};
+}
+
+} // namespace dirt

@@ -1,0 +1,126 @@
+#include "core/verify/exact.h"
+
+#include <cfloat>
+#include <cmath>
+#include <limits>
+
+namespace dirt {
+
+Dyadic::Dyadic(double value) {
+    int exponent = 0;
+    const double fraction = std::frexp(value, &exponent);
+    mantissa_ = (long long) std::ldexp(fraction, 53);
+    exponent_ = exponent - 53;
+    if (mantissa_.is_zero()) return;
+    // Short mantissas keep the products short.
+    const int zeros = (int) lsb(abs(mantissa_));
+    mantissa_ >>= zeros;
+    exponent_ += zeros;
+}
+
+Dyadic operator+(const Dyadic& a, const Dyadic& b) {
+    if (a.sign() == 0) return b;
+    if (b.sign() == 0) return a;
+    if (a.exponent_ >= b.exponent_)
+        return {(a.mantissa_ << (a.exponent_ - b.exponent_)) + b.mantissa_, b.exponent_};
+    return {a.mantissa_ + (b.mantissa_ << (b.exponent_ - a.exponent_)), a.exponent_};
+}
+
+double Dyadic::leading(int& e) const {
+    const Integer magnitude = abs(mantissa_);
+    const int shift = (int) msb(magnitude) - 52;
+    const Integer top = shift > 0 ? Integer(magnitude >> shift) : Integer(magnitude << -shift);
+    e = exponent_ + shift;
+    return sign() * (double) top.convert_to<long long>();
+}
+
+double Dyadic::quotient(const Dyadic& a, const Dyadic& b) {
+    if (a.sign() == 0) return 0.0;
+    int ea = 0, eb = 0;
+    const double ma = a.leading(ea), mb = b.leading(eb);
+    return std::ldexp(ma / mb, ea - eb);
+}
+
+namespace {
+
+struct Vec {
+    Dyadic x, y, z;
+
+    Vec() = default;
+    Vec(Dyadic vx, Dyadic vy, Dyadic vz) : x(std::move(vx)), y(std::move(vy)), z(std::move(vz)) {}
+    explicit Vec(glm::vec3 v) : x(v.x), y(v.y), z(v.z) {}
+    const Dyadic& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+};
+
+Vec operator-(const Vec& a, const Vec& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+Vec cross(const Vec& a, const Vec& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+Dyadic dot(const Vec& a, const Vec& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// A point whose coordinates are v / weight, weight > 0.
+struct Homogeneous {
+    Vec v;
+    Dyadic weight;
+};
+
+/// Sign of the area of (a, b, p) in the plane of axes \p i and \p j.
+int orientation(const Vec& a, const Vec& b, const Homogeneous& p, int i, int j) {
+    const Dyadic pi = p.v[i] - a[i] * p.weight, pj = p.v[j] - a[j] * p.weight;
+    return ((b[i] - a[i]) * pj - (b[j] - a[j]) * pi).sign();
+}
+
+} // namespace
+
+std::optional<ExactT> intersectExactly(const Ray& ray, const Triangle& triangle) {
+    const Vec o(ray.origin), d(ray.direction);
+    const Vec a(triangle.a), b(triangle.b), c(triangle.c);
+    const Vec normal = cross(b - a, c - a);
+
+    ExactT t{dot(normal, a - o), dot(normal, d)};
+    if (t.denominator.sign() == 0) return std::nullopt;
+    if (t.denominator.sign() < 0) t = {-t.numerator, -t.denominator};
+    if (t.numerator.sign() < 0) return std::nullopt;
+
+    const Homogeneous p{{o.x * t.denominator + d.x * t.numerator,
+                         o.y * t.denominator + d.y * t.numerator,
+                         o.z * t.denominator + d.z * t.numerator},
+                        t.denominator};
+    // Along an axis in which the normal has a part, the projection keeps the triangle's area.
+    const int axis = normal.x.sign() != 0 ? 0 : normal.y.sign() != 0 ? 1 : 2;
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    const int front = normal[axis].sign();
+    if (front * orientation(a, b, p, i, j) < 0 || front * orientation(b, c, p, i, j) < 0 ||
+        front * orientation(c, a, p, i, j) < 0)
+        return std::nullopt;
+    return t;
+}
+
+double relativeError(float t, const ExactT& exact) {
+    if (!std::isfinite(t)) return std::numeric_limits<double>::infinity();
+    const Dyadic difference = Dyadic(t) * exact.denominator - exact.numerator;
+    if (difference.sign() == 0) return 0.0;
+    if (t == 0.0f && exact.numerator < Dyadic(FLT_MIN) * exact.denominator) return 0.0;
+    if (exact.numerator.sign() == 0) return std::numeric_limits<double>::infinity();
+    return std::abs(Dyadic::quotient(difference, exact.numerator));
+}
+
+bool exceeds(const ExactT& t, const ExactT& nearest, float relative) {
+    const Dyadic rest = Dyadic(1.0) - Dyadic(relative);
+    return nearest.numerator * t.denominator < t.numerator * rest * nearest.denominator;
+}
+
+int sideOfBorder(const Ray& ray, const ExactT& t, int axis, float slope, int axisW, float signW) {
+    const auto coordinate = [&](int i) {
+        return Dyadic(ray.origin[i]) * t.denominator + Dyadic(ray.direction[i]) * t.numerator;
+    };
+    return (coordinate(axis) - Dyadic(slope) * Dyadic(signW) * coordinate(axisW)).sign();
+}
+
+} // namespace dirt

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/grid/view.h"
+#include "core/trace/ray.h"
+#include "core/verify/judge.h"
+
+#include <optional>
+
+namespace dirt {
+
+/// Which rays a view answers for. In full view all. In single view, by design, a ray that leaves
+/// the view returns nothing, and what one that starts outside returns is not defined; so only
+/// rays count whose origin lies in the closed view and whose exact hit, if any, does too. A view
+/// is convex: such a ray runs inside the view up to its hit. Membership is decided exactly.
+class ViewScope {
+public:
+    ViewScope(const GridSettings& settings, const Camera& camera);
+
+    /// \p truth: the verdict of \p judge's geometry on \p ray.
+    bool counts(const Ray& ray, const Verdict& truth, const FrameGeometry& geometry) const;
+
+private:
+    std::optional<View> view_;
+};
+
+} // namespace dirt
