@@ -1,6 +1,7 @@
 #include "backend_embree/embree_backend.h"
 
 #include "backend_embree/filter.h"
+#include "core/grid/denormals.h"
 #include "core/io/error.h"
 
 #include <atomic>
@@ -14,6 +15,15 @@ namespace dirt {
 namespace {
 
 constexpr size_t kGrain = 1024; ///< rays traced in one piece
+
+/// Backends may or may not flush denormals while they trace: none sees any.
+Ray withoutDenormals(Ray ray) {
+    for (int i = 0; i < 3; i++) {
+        ray.origin[i] = flushed(ray.origin[i]);
+        ray.direction[i] = flushed(ray.direction[i]);
+    }
+    return ray;
+}
 
 RTCRay toEmbree(const Ray& ray, float tfar) {
     RTCRay r{};
@@ -120,7 +130,8 @@ void EmbreeBackend::build(const FrameGeometry& geometry, const Camera&, const Gr
 }
 
 void EmbreeBackend::trace(std::span<const Ray> rays, std::span<Hit> hits) {
-    const auto nearest = [&](const Ray& ray) -> Hit {
+    const auto nearest = [&](const Ray& given) -> Hit {
+        const Ray ray = withoutDenormals(given);
         if (!isTraceable(ray)) return {};
         constexpr float kFar = std::numeric_limits<float>::infinity();
         QueryContext query(*state_->geometry, ray, kFar);
@@ -138,7 +149,8 @@ void EmbreeBackend::trace(std::span<const Ray> rays, std::span<Hit> hits) {
 
 void EmbreeBackend::occluded(std::span<const Ray> rays, std::span<const float> maxT,
                              std::span<uint8_t> result) {
-    const auto blocked = [&](const Ray& ray, float limit) -> bool {
+    const auto blocked = [&](const Ray& given, float limit) -> bool {
+        const Ray ray = withoutDenormals(given);
         if (!isTraceable(ray) || !(limit > 0.0f)) return false;
         QueryContext query(*state_->geometry, ray, limit);
         const bool core = decision_ == EmbreeDecision::core;

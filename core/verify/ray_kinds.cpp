@@ -1,5 +1,6 @@
 #include "core/verify/ray_kinds.h"
 
+#include "core/grid/denormals.h"
 #include "core/trace/offset.h"
 #include "core/verify/aim.h"
 
@@ -37,6 +38,15 @@ glm::dvec3 pointOnTriangle(const Triangle& t, RayRandom& random) {
     double u = random.uniform(), v = random.uniform();
     if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
     return glm::dvec3(t.a) * (1.0 - u - v) + glm::dvec3(t.b) * u + glm::dvec3(t.c) * v;
+}
+
+/// The geometry has no denormals, and neither do its rays (G7).
+Ray withoutDenormals(Ray ray) {
+    for (int i = 0; i < 3; i++) {
+        ray.origin[i] = flushed(ray.origin[i]);
+        ray.direction[i] = flushed(ray.direction[i]);
+    }
+    return ray;
 }
 
 Ray towards(glm::vec3 origin, glm::vec3 target) {
@@ -100,11 +110,11 @@ Ray RaySource::primary(uint32_t index) const {
     if (view_) { // the grid frame is the camera's
         const float s = std::clamp((float) x, view_->s.front(), view_->s.back());
         const float t = std::clamp((float) y, view_->t.front(), view_->t.back());
-        return {glm::vec3(0.0f), {s, t, 1.0f}, kNoPrimitive};
+        return withoutDenormals({glm::vec3(0.0f), {s, t, 1.0f}, kNoPrimitive});
     }
     const glm::dvec3 direction =
         glm::dvec3(basis_.right) * x + glm::dvec3(basis_.down) * y + glm::dvec3(basis_.forward);
-    return {glm::vec3(0.0f), glm::vec3(direction), kNoPrimitive};
+    return withoutDenormals({glm::vec3(0.0f), glm::vec3(direction), kNoPrimitive});
 }
 
 std::optional<Ray> RaySource::diffuse(uint32_t index, const Hit& hit) const {
@@ -119,7 +129,8 @@ std::optional<Ray> RaySource::diffuse(uint32_t index, const Hit& hit) const {
     const glm::vec3 direction(
         std::sqrt(1.0 - radius2) * frame->normal +
         std::sqrt(radius2) * (std::cos(angle) * frame->along + std::sin(angle) * frame->across));
-    return Ray{offsetOrigin(triangle, hit.u, hit.v, direction), direction, hit.primitive};
+    return withoutDenormals(
+        {offsetOrigin(triangle, hit.u, hit.v, direction), direction, hit.primitive});
 }
 
 Ray RaySource::vertex(uint32_t index) const {
@@ -132,7 +143,7 @@ Ray RaySource::vertex(uint32_t index) const {
         ray = exact ? *exact : towards(origin, target);
         if (inside(ray.origin) && inside(target)) break;
     }
-    return ray;
+    return withoutDenormals(ray);
 }
 
 Ray RaySource::edge(uint32_t index) const {
@@ -153,7 +164,7 @@ Ray RaySource::edge(uint32_t index) const {
         ray = exact ? *exact : towards(origin, target);
         if (inside(ray.origin) && inside(target)) break;
     }
-    return ray;
+    return withoutDenormals(ray);
 }
 
 Ray RaySource::axis(uint32_t index) const {
@@ -175,7 +186,7 @@ Ray RaySource::axis(uint32_t index) const {
         }
         if (inside(ray.origin)) break;
     }
-    return ray;
+    return withoutDenormals(ray);
 }
 
 Ray RaySource::grazing(uint32_t index) const {
@@ -202,7 +213,7 @@ Ray RaySource::grazing(uint32_t index) const {
                kNoPrimitive};
         if (inside(ray.origin) && inside(glm::vec3(target))) break;
     }
-    return ray;
+    return withoutDenormals(ray);
 }
 
 Ray RaySource::make(RayKind kind, uint32_t index) const {
