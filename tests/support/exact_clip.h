@@ -5,6 +5,7 @@
 #include "tests/support/exact_number.h"
 
 #include <array>
+#include <vector>
 
 /// The exact clip of a triangle to the cone of a tile: what G1 and G2 are stated in.
 namespace dirt::test {
@@ -17,6 +18,19 @@ struct TileSize {
 inline TileSize tileSize(const View& view, int tilePixels) {
     return {((double) view.s.back() - view.s.front()) * tilePixels / view.width,
             ((double) view.t.back() - view.t.front()) * tilePixels / view.height};
+}
+
+/// The column (or row) whose borders enclose \p slope, or the nearest one.
+inline int cellAt(const std::vector<float>& borders, double slope) {
+    int lo = 0, hi = (int) borders.size() - 2;
+    while (lo < hi) {
+        const int middle = (lo + hi + 1) / 2;
+        if (borders[middle] <= slope)
+            lo = middle;
+        else
+            hi = middle - 1;
+    }
+    return lo;
 }
 
 /// The closed cone of a tile, widened by a fraction of a tile: its border slopes times 2^fraction.

@@ -73,17 +73,4 @@ inline glm::vec3 fromView(const View& view, glm::vec3 p) {
     return grid;
 }
 
-/// The column (or row) whose borders enclose \p slope, or the nearest one.
-inline int cellAt(const std::vector<float>& borders, double slope) {
-    int lo = 0, hi = (int) borders.size() - 2;
-    while (lo < hi) {
-        const int middle = (lo + hi + 1) / 2;
-        if (borders[middle] <= slope)
-            lo = middle;
-        else
-            hi = middle - 1;
-    }
-    return lo;
-}
-
 } // namespace dirt::test
