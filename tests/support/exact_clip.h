@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/grid/view.h"
-#include "core/grid/geometry.h"
+#include "core/grid/coverage.h"
 #include "tests/support/exact_number.h"
 
 #include <array>
@@ -40,9 +39,13 @@ struct ExactCone {
     std::array<Integer, 2> x, y;
     int fraction = kMargin;
 
-    ExactCone(const View& view, int column, int row, TileSize tile, double widened) {
-        const float s0 = view.s[column], s1 = view.s[column + 1];
-        const float t0 = view.t[row], t1 = view.t[row + 1];
+    ExactCone(const View& view, int column, int row, TileSize tile, double widened)
+        : ExactCone(view, {column, column, row, row}, tile, widened) {}
+
+    /// Of a block of tiles.
+    ExactCone(const View& view, TileRange range, TileSize tile, double widened) {
+        const float s0 = view.s[range.column0], s1 = view.s[range.column1 + 1];
+        const float t0 = view.t[range.row0], t1 = view.t[range.row1 + 1];
         for (float border : {s0, s1, t0, t1})
             if (border != 0.0f) fraction = std::max(fraction, -lowestExponent(border));
         const Integer dx = margin(tile.x * widened), dy = margin(tile.y * widened);

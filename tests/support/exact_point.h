@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tests/support/exact_clip.h"
 #include "core/trace/ray.h"
+#include "tests/support/exact_clip.h"
 
 /// Points of a ray, exactly, and the tiles and depths they lie at.
 namespace dirt::test {
@@ -51,6 +51,30 @@ struct ExactRay {
         return {*c[view.axisX], *c[view.axisY], view.signW < 0 ? Integer(-w) : w};
     }
 };
+
+/// The parameters of a ray in the interior of a cone, to 2^-50 of their own.
+struct ParameterSpan {
+    double from = 0.0, to = INFINITY;
+    bool empty() const { return !(from * (1.0 + 0x1p-48) < to); }
+};
+inline ParameterSpan spanInside(const ExactRay& ray, const View& view, const ExactCone& cone) {
+    const auto o = cone.distances(ExactRay::toView(view, ray.origin));
+    const auto d = cone.distances(ExactRay::toView(view, ray.direction));
+    ParameterSpan span;
+    for (int i = 0; i < 4; ++i) { // o + t d > 0
+        if (d[i] == 0) {
+            if (o[i] <= 0) return {1.0, 0.0};
+            continue;
+        }
+        const int unit = ray.unit - ray.directionUnit;
+        const double t = Fraction{-o[i] * sign(d[i]), abs(d[i]), unit}.value();
+        if (d[i] > 0)
+            span.from = std::max(span.from, t);
+        else
+            span.to = std::min(span.to, t);
+    }
+    return span;
+}
 
 /// Calls \p found(tile) for every tile of \p view whose cone, widened by a fraction of a tile,
 /// holds the point \p p (of the view's frame, times any positive factor).

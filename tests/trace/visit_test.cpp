@@ -107,30 +107,6 @@ struct VisitTest {
     }
 };
 
-/// The ray's parameters in the interior of a tile's cone, to 2^-50 of their own.
-struct Span {
-    double from = 0.0, to = INFINITY;
-    bool empty() const { return !(from * (1.0 + 0x1p-48) < to); }
-};
-Span exactSpan(const ExactRay& ray, const View& view, TileSize size, int tile) {
-    const ExactCone cone(view, tile % view.columns, tile / view.columns, size, 0.0);
-    const auto o = cone.distances(ExactRay::toView(view, ray.origin));
-    const auto d = cone.distances(ExactRay::toView(view, ray.direction));
-    Span span;
-    for (int i = 0; i < 4; ++i) { // o + t d >= 0
-        if (d[i] == 0) {
-            if (o[i] <= 0) return {1.0, 0.0};
-            continue;
-        }
-        const double t = Fraction{-o[i] * sign(d[i]), abs(d[i]), ray.unit - ray.directionUnit}.value();
-        if (d[i] > 0)
-            span.from = std::max(span.from, t);
-        else
-            span.to = std::min(span.to, t);
-    }
-    return span;
-}
-
 /// Settings of every kind, small enough that each cell can be filled.
 std::vector<ViewSet> smallViews(Random& random) {
     std::vector<ViewSet> sets;
@@ -228,7 +204,8 @@ TEST(Visit, CellsComeInTheOrderOfT) {
                     if (last.view == v && last.tile == tile) {
                         if (dw >= 0 ? bin <= last.bin : bin >= last.bin) wrong = "bins out of order";
                     } else {
-                        const Span span = exactSpan(exact, view, set.tileSize(view), tile);
+                        const ParameterSpan span =
+                            spanInside(exact, view, ExactCone(view, tile % view.columns, tile / view.columns, set.tileSize(view), 0.0));
                         if (!span.empty()) {
                             if (span.to < latest * (1.0 - 0x1p-23))
                                 wrong = "tile " + std::to_string(tile) + " of view " + std::to_string(v) +

@@ -1,0 +1,292 @@
+#include "core/trace/traverse.h"
+#include "tests/support/exact_point.h"
+#include "tests/support/exact_ray.h"
+#include "tests/support/grid_rays.h"
+#include "tests/support/print.h"
+#include "tests/support/small_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cfloat>
+#include <map>
+#include <string>
+
+// T3, T5 and T7: the grid finds the hits of brute force, to the bit, whatever its settings.
+
+namespace dirt::test {
+namespace {
+
+ViewSet randomSettings(Random& random, ViewMode mode) {
+    GridSettings settings;
+    settings.mode = mode;
+    settings.tile = random.pick({1, 1, 2, 4, 7, 16, 64});
+    const int tiles = random.pick({1, 2, 3, 8, 17, 32, 64});
+    settings.viewSize = std::max(1, tiles * settings.tile - random.below(settings.tile));
+    settings.width = settings.viewSize + random.below(40);
+    settings.height = settings.viewSize;
+    settings.bins = random.pick({1, 2, 16, 44, 256});
+    settings.maxMip = random.range(-1, 7);
+    settings.traversal = random.chance(0.3) ? Traversal::linear : Traversal::hierarchical;
+    Camera camera;
+    camera.verticalFov = random.pick({1.0f, 30.0f, 90.0f, 150.0f, 170.0f});
+    return {settings, camera};
+}
+
+std::string describe(const ViewSet& set, const std::vector<Triangle>& scene, const GridRay& r) {
+    std::string text = test::describe(set) + " bins " + std::to_string(set.settings.bins) +
+                       " maxMip " + std::to_string(set.settings.maxMip) +
+                       (set.settings.traversal == Traversal::linear ? " linear" : " hierarchical") +
+                       "\n" + hex(r.ray) + " (" + r.kind + ")\n" + std::to_string(scene.size()) + " triangles";
+    return text;
+}
+
+std::string text(const Hit& hit, const std::vector<Triangle>& scene) {
+    if (!hit.found()) return "nothing";
+    return std::to_string(hit.primitive) + " at t " + hex(hit.t) + " u " + hex(hit.u) + " v " + hex(hit.v) +
+           " in view " + std::to_string(hit.view) + " tile " + std::to_string(hit.tile) + " " +
+           hex(scene[hit.primitive]);
+}
+
+bool sameHit(const Hit& a, const Hit& b) {
+    return a.primitive == b.primitive && std::bit_cast<uint32_t>(a.t) == std::bit_cast<uint32_t>(b.t) &&
+           std::bit_cast<uint32_t>(a.u) == std::bit_cast<uint32_t>(b.u) &&
+           std::bit_cast<uint32_t>(a.v) == std::bit_cast<uint32_t>(b.v);
+}
+
+/// The exact hit point, times a positive factor, in units of \p ray's.
+IntegerVector hitPoint(const ExactRay& ray, const Fraction& t) {
+    const int tUnit = ray.unit - ray.directionUnit;
+    ExactRay::Parameter parameter{t.numerator, t.denominator};
+    if (t.exponent > tUnit)
+        parameter.numerator <<= t.exponent - tUnit;
+    else
+        parameter.denominator <<= tUnit - t.exponent;
+    return ray.at(parameter);
+}
+
+/// Whether the exact ray meets \p triangle in the eye, the one point that no tile holds.
+bool hitsTheEye(const Ray& ray, const Triangle& triangle) {
+    const ExactHit hit = intersectExactly(ray, triangle);
+    return hit.hit && hitPoint(ExactRay(ray), hit.t).isZero();
+}
+
+bool insideView(const ViewSet& set, const IntegerVector& p, double widened) {
+    bool inside = false;
+    for (const View& view : set.views)
+        tilesAround(view, set.tileSize(view), ExactRay::toView(view, p), widened, [&](int) { inside = true; });
+    return inside;
+}
+
+/// Whether a hit's parameter, uncertain by twice its bound, lies where the ray is inside \p cone.
+bool isInside(const ExactRay& ray, const View& view, const ExactCone& cone, float t) {
+    const ParameterSpan span = spanInside(ray, view, cone);
+    return span.from <= t * (1.0 + 0x1p-22) && t * (1.0 - 0x1p-22) <= span.to;
+}
+
+/// The cell a hit is filed under: the ray is in it, or in its guard band, at t; and it lists the
+/// primitive, so that fetch finds it.
+std::string misfiled(const Grid& grid, const ViewSet& set, const ExactRay& ray, const Hit& hit) {
+    const View& view = set.views[hit.view];
+    const int column = (int) hit.tile % view.columns, row = (int) hit.tile / view.columns;
+    if (!isInside(ray, view, ExactCone(view, column, row, set.tileSize(view), 1.0 / 64), hit.t))
+        return "the hit's tile does not hold it";
+    for (int bin = 0; bin < set.settings.bins; ++bin) {
+        const auto list = grid.list((int) hit.view, (int) hit.tile, bin);
+        if (std::binary_search(list.begin(), list.end(), hit.primitive)) return "";
+    }
+    return "the hit's tile does not list it";
+}
+
+/// Whether a ray has left a single view at \p t, by more than a tile's guard band.
+bool hasLeft(const ExactRay& ray, const ViewSet& set, float t) {
+    const View& view = set.views[0];
+    const TileRange all{0, view.columns - 1, 0, view.rows - 1};
+    return !isInside(ray, view, ExactCone(view, all, set.tileSize(view), 1.0 / 64), t);
+}
+
+class Failures {
+public:
+    bool add(const std::string& what) { return ++counts_[what] <= 2; }
+    ~Failures() {
+        for (const auto& [what, count] : counts_) ADD_FAILURE() << count << " times " << what;
+    }
+
+private:
+    std::map<std::string, int> counts_;
+};
+
+TEST(ClosestHit, EqualsBruteForceInFullMode) {
+    Random random(21);
+    Failures failures;
+    int hits = 0, total = 0;
+    for (int round = 0; round < cases(150, 3000); ++round) {
+        const ViewSet set = randomSettings(random, ViewMode::full);
+        FrameGeometry geometry;
+        geometry.triangles = smallScene(random, set);
+        const Grid grid = buildGrid(geometry, set.camera, set.settings);
+        GridRays rays(random, set, geometry.triangles);
+        for (int i = 0; i < 250; ++i) {
+            GridRay r = rays.next();
+            if (random.chance(0.1)) r.ray.skip = (uint32_t) random.below((int) geometry.triangles.size());
+            const Hit expected = closestHitBruteForce(geometry, r.ray);
+            if (expected.found() && hitsTheEye(r.ray, geometry.triangles[expected.primitive])) continue;
+            const Hit hit = closestHit(grid, geometry, r.ray);
+            ++total;
+            hits += hit.found();
+            if (!sameHit(hit, expected) && failures.add(std::string("another hit, rays ") + r.kind))
+                ADD_FAILURE() << "expected " << text(expected, geometry.triangles) << "\ngot "
+                              << text(hit, geometry.triangles) << "\n"
+                              << describe(set, geometry.triangles, r);
+            if (hit.found() && hit.t > 0 && i % 8 == 0) {
+                const std::string wrong = misfiled(grid, set, ExactRay(r.ray), hit);
+                if (!wrong.empty() && failures.add(wrong + ", rays " + r.kind))
+                    ADD_FAILURE() << wrong << ": " << text(hit, geometry.triangles) << "\n" << describe(set, geometry.triangles, r);
+            }
+            const float maxT = random.pick({expected.t, std::nextafter(expected.t, INFINITY), FLT_MAX, 0.5f, 0.0f});
+            if (anyHit(grid, geometry, r.ray, maxT) != (expected.found() && expected.t < maxT) &&
+                failures.add(std::string("anyHit, rays ") + r.kind))
+                ADD_FAILURE() << "anyHit up to " << hex(maxT) << " differs from "
+                              << text(expected, geometry.triangles) << "\n"
+                              << describe(set, geometry.triangles, r);
+        }
+    }
+    EXPECT_GT(hits, total / 5);
+}
+
+/// A ray that starts inside the view and whose nearest hit is inside finds it; what it finds is
+/// never outside (by more than the guard band).
+TEST(ClosestHit, EqualsBruteForceInsideASingleView) {
+    Random random(22);
+    Failures failures;
+    int compared = 0;
+    for (int round = 0; round < cases(150, 3000); ++round) {
+        const ViewSet set = randomSettings(random, ViewMode::single);
+        FrameGeometry geometry;
+        geometry.triangles = smallScene(random, set);
+        const Grid grid = buildGrid(geometry, set.camera, set.settings);
+        GridRays rays(random, set, geometry.triangles);
+        for (int i = 0; i < 250; ++i) {
+            const GridRay r = rays.next();
+            const Hit hit = closestHit(grid, geometry, r.ray);
+            const Hit expected = closestHitBruteForce(geometry, r.ray);
+            if (expected.found() && hitsTheEye(r.ray, geometry.triangles[expected.primitive])) continue;
+            const ExactRay ray(r.ray);
+            if (!ray.origin.isZero() && !insideView(set, ray.origin, 0.0)) continue;
+            if (hit.found() && hasLeft(ray, set, hit.t) && failures.add("a hit outside of the view"))
+                ADD_FAILURE() << "a hit outside of the view: " << text(hit, geometry.triangles) << "\n"
+                              << describe(set, geometry.triangles, r);
+            if (!expected.found()) continue;
+            const Fraction t = intersectExactly(r.ray, geometry.triangles[expected.primitive]).t;
+            if (!insideView(set, hitPoint(ray, t), 0.0)) continue;
+            ++compared;
+            if (!sameHit(hit, expected) && failures.add(std::string("another hit, rays ") + r.kind))
+                ADD_FAILURE() << "expected " << text(expected, geometry.triangles) << "\ngot "
+                              << text(hit, geometry.triangles) << "\n"
+                              << describe(set, geometry.triangles, r);
+        }
+    }
+    EXPECT_GT(compared, 1000);
+}
+
+TEST(ClosestHit, IsTheSameForEverySetting) {
+    Random random(23);
+    for (int round = 0; round < cases(10, 200); ++round) {
+        ViewSet set = randomSettings(random, ViewMode::full);
+        FrameGeometry geometry;
+        geometry.triangles = smallScene(random, set);
+        std::vector<Grid> grids;
+        for (int maxMip = -1; maxMip < 7; ++maxMip) {
+            set.settings.maxMip = maxMip;
+            set.settings.traversal = Traversal::hierarchical;
+            grids.push_back(buildGrid(geometry, set.camera, set.settings));
+        }
+        set.settings.traversal = Traversal::linear;
+        grids.push_back(buildGrid(geometry, set.camera, set.settings));
+        GridRays rays(random, set, geometry.triangles);
+        for (int i = 0; i < 200; ++i) {
+            const GridRay r = rays.next();
+            const Hit first = closestHit(grids[0], geometry, r.ray);
+            for (const Grid& grid : grids) {
+                const Hit hit = closestHit(grid, geometry, r.ray);
+                ASSERT_TRUE(sameHit(hit, first)) << describe(set, geometry.triangles, r);
+                ASSERT_EQ(hit.view, first.view) << describe(set, geometry.triangles, r);
+                ASSERT_EQ(hit.tile, first.tile) << describe(set, geometry.triangles, r);
+            }
+        }
+    }
+}
+
+/// The eye belongs to every cone's border and to no tile, and yet is a point of rays and triangles:
+/// that of every primary ray, where the camera stands on a floor.
+TEST(ClosestHit, HitsATriangleThatHoldsTheEye) {
+    FrameGeometry geometry;
+    geometry.triangles = {{{-1, -1, 0.5f}, {1, -1, 0.5f}, {0, 1, 0.5f}},
+                          {{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}},
+                          {{0, 0, 0}, {0.5f, 0.25f, 0}, {0.5f, 0.5f, 0}}};
+    const ViewSet set = fullViews(16, 4);
+    const Grid grid = buildGrid(geometry, set.camera, set.settings);
+    for (const Ray& ray : {Ray{{0, 0, 0}, {0, 0.1f, 1}}, {{0, 0, 0}, {0, 0, 1}}, {{0, -0.5f, 0}, {0, 1, 0}},
+                           {{-0.25f, -0.5f, 0.75f}, {0.25f, 0.5f, -0.75f}}}) {
+        const Hit expected = closestHitBruteForce(geometry, ray);
+        EXPECT_TRUE(expected.found());
+        EXPECT_TRUE(sameHit(closestHit(grid, geometry, ray), expected)) << hex(ray);
+        EXPECT_TRUE(anyHit(grid, geometry, ray, 2.0f)) << hex(ray);
+    }
+}
+
+FrameGeometry twins() {
+    const Triangle t{{-1, -1, 0.5f}, {1, -1, 0.5f}, {0, 1, 0.5f}};
+    FrameGeometry geometry;
+    geometry.triangles = {{{-1, -1, 0.75f}, {1, -1, 0.75f}, {0, 1, 0.75f}}, t, {t.b, t.a, t.c}, t,
+                          {{-1, -1, 0.5f}, {1, -1, 0.5f}, {0, 1.5f, 0.5f}}};
+    return geometry;
+}
+
+TEST(ClosestHit, TakesTheLowestIdOfCoincidentTriangles) {
+    const FrameGeometry geometry = twins();
+    const ViewSet set = fullViews(16, 4);
+    const Grid grid = buildGrid(geometry, set.camera, set.settings);
+    for (const Ray& ray : {Ray{{0, 0, 0}, {0, 0, 1}}, {{0.1f, 0, 0.25f}, {0, 0, 1}}, {{0, 0, 0.625f}, {0, 0, -1}}}) {
+        const Hit hit = closestHit(grid, geometry, ray);
+        EXPECT_EQ(hit.primitive, 1u);
+        EXPECT_TRUE(sameHit(hit, closestHitBruteForce(geometry, ray)));
+    }
+}
+
+TEST(ClosestHit, SkipsATriangleAndItsTwins) {
+    const FrameGeometry geometry = twins();
+    const ViewSet set = fullViews(16, 4);
+    const Grid grid = buildGrid(geometry, set.camera, set.settings);
+    for (uint32_t skip : {1u, 2u, 3u}) {
+        const Ray ray{{0, 0, 0}, {0, 0, 1}, skip};
+        EXPECT_EQ(closestHit(grid, geometry, ray).primitive, 4u);
+        EXPECT_EQ(closestHitBruteForce(geometry, ray).primitive, 4u);
+        EXPECT_TRUE(anyHit(grid, geometry, ray, 1.0f));
+    }
+    const Ray ray{{0, 0, 0}, {0, 0, 1}, 4u};
+    EXPECT_EQ(closestHit(grid, geometry, ray).primitive, 1u);
+    EXPECT_FALSE(anyHit(grid, geometry, {{0, 0, 0.625f}, {0, 0, 1}, 0u}, 1.0f));
+}
+
+TEST(ClosestHit, RaysThatAreNoneHitNothing) {
+    const FrameGeometry geometry = twins();
+    const ViewSet set = fullViews(16, 4);
+    const Grid grid = buildGrid(geometry, set.camera, set.settings);
+    for (float bad : {std::nanf(""), INFINITY, -INFINITY})
+        for (int i = 0; i < 6; ++i) {
+            Ray ray{{0, 0, 0}, {0, 0, 1}};
+            (i < 3 ? ray.origin : ray.direction)[i % 3] = bad;
+            TraversalCounts counts;
+            EXPECT_FALSE(closestHit(grid, geometry, ray, &counts).found());
+            EXPECT_FALSE(anyHit(grid, geometry, ray, FLT_MAX, &counts));
+            EXPECT_FALSE(closestHitBruteForce(geometry, ray).found());
+            EXPECT_EQ(counts.tests, 0u);
+        }
+    EXPECT_FALSE(closestHit(grid, geometry, {{0, 0, 0}, {0, 0, 0}}).found());
+    EXPECT_FALSE(anyHit(grid, geometry, {{0, 0, 0}, {0, 0, 1}}, std::nanf("")));
+}
+
+} // namespace
+} // namespace dirt::test
