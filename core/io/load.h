@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/io/load_report.h"
+#include "core/io/scene_file.h"
+#include "core/scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dirt {
+
+struct LoadOptions {
+    bool strict = false; ///< what would be a warning is an InputError
+};
+
+/// A scene, and what its file said besides.
+struct LoadedScene {
+    Scene scene;
+    SceneSettings settings;
+    bool hasCamera = false; ///< whether scene.camera stands where the file says; never for OBJ
+    bool hasLight = false;  ///< whether scene.lights comes from the file; never for OBJ
+    std::vector<Warning> warnings;
+    std::vector<std::string> ignored; ///< names of the files that have no effect, each once
+};
+
+/// Loads a .scene or .obj file with all that it names. Throws InputError, one line with file and
+/// line, where the input is bad: see readSceneFile and readObj; no triangles; an object that is
+/// not there; an unknown file type.
+LoadedScene loadScene(const std::filesystem::path& file, const LoadOptions& options = {});
+
+} // namespace dirt

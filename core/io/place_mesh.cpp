@@ -1,0 +1,122 @@
+#include "core/io/place_mesh.h"
+
+#include "core/io/ear_clipping.h"
+#include "core/io/number.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec4.hpp>
+
+namespace dirt {
+
+namespace {
+
+/// The matrix that takes normals along: the inverse transpose up to a positive factor, which also
+/// exists where the transform flattens space. It is the cofactor matrix, turned where the
+/// transform mirrors.
+glm::dmat3 normalMatrix(const glm::dmat3& m) {
+    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
+                               glm::cross(m[0], m[1]));
+    return glm::dot(m[0], cofactors[0]) < 0.0 ? -cofactors : cofactors;
+}
+
+class MeshPlacer {
+public:
+    MeshPlacer(const ObjFile& obj, const glm::dmat4& toWorld, Mesh& mesh)
+        : obj_(obj), toWorld_(toWorld), normalToWorld_(normalMatrix(glm::dmat3(toWorld))),
+          mesh_(mesh), positions_(obj.positions.size(), kPending),
+          normals_(obj.normals.size(), kPending), texcoords_(obj.texcoords.size(), kPending) {}
+
+    void place(const std::vector<uint32_t>& materials) {
+        for (const ObjFile::Face& face : obj_.faces)
+            placeFace(face, face.material == ObjFile::kNone ? materials.back()
+                                                            : materials[face.material]);
+    }
+
+private:
+    static constexpr uint32_t kPending = kNoIndex - 1;
+
+    void placeFace(const ObjFile::Face& face, uint32_t material) {
+        polygon_.clear();
+        corners_.clear();
+        for (size_t i = 0; i < face.corners; ++i) {
+            const ObjFile::Corner& corner = obj_.corners[face.firstCorner + i];
+            corners_.push_back({position(corner.position, face.line), texcoord(corner.texcoord),
+                                normal(corner.normal)});
+            polygon_.push_back(mesh_.positions[corners_.back().position]);
+        }
+        for (const EarClipper::Ear& ear : clip_(polygon_)) {
+            mesh_.triangles.push_back(gather(ear, &ObjFile::Corner::position));
+            mesh_.texcoordIndices.push_back(allOrNone(gather(ear, &ObjFile::Corner::texcoord)));
+            mesh_.normalIndices.push_back(allOrNone(gather(ear, &ObjFile::Corner::normal)));
+            mesh_.materials.push_back(material);
+        }
+    }
+
+    Corners gather(const EarClipper::Ear& ear, uint32_t ObjFile::Corner::*attribute) const {
+        return {corners_[ear[0]].*attribute, corners_[ear[1]].*attribute,
+                corners_[ear[2]].*attribute};
+    }
+
+    static Corners allOrNone(const Corners& c) {
+        const bool all = c[0] != kNoIndex && c[1] != kNoIndex && c[2] != kNoIndex;
+        return all ? c : Corners{kNoIndex, kNoIndex, kNoIndex};
+    }
+
+    uint32_t position(uint32_t index, size_t line) {
+        uint32_t& placed = positions_[index];
+        if (placed != kPending) return placed;
+        const glm::dvec3 p(toWorld_ * glm::dvec4(obj_.positions[index], 1.0));
+        if (!fitsFloat(p))
+            failAt(obj_.file, line,
+                   "vertex " + std::to_string(index + 1ull) +
+                       " does not fit in float32 after its transformation");
+        placed = (uint32_t) mesh_.positions.size();
+        mesh_.positions.emplace_back(p);
+        return placed;
+    }
+
+    uint32_t normal(uint32_t index) {
+        if (index == ObjFile::kNone) return kNoIndex;
+        uint32_t& placed = normals_[index];
+        if (placed != kPending) return placed;
+        const glm::dvec3 n = normalToWorld_ * obj_.normals[index];
+        const double length = std::sqrt(glm::dot(n, n));
+        if (!(length > 0.0 && std::isfinite(length))) return placed = kNoIndex;
+        placed = (uint32_t) mesh_.normals.size();
+        mesh_.normals.emplace_back(n / length);
+        return placed;
+    }
+
+    uint32_t texcoord(uint32_t index) {
+        if (index == ObjFile::kNone) return kNoIndex;
+        uint32_t& placed = texcoords_[index];
+        if (placed != kPending) return placed;
+        const glm::dvec2 uv = obj_.texcoords[index];
+        if (!fitsFloat(uv.x) || !fitsFloat(uv.y)) return placed = kNoIndex;
+        placed = (uint32_t) mesh_.texcoords.size();
+        mesh_.texcoords.emplace_back(uv);
+        return placed;
+    }
+
+    const ObjFile& obj_;
+    glm::dmat4 toWorld_;
+    glm::dmat3 normalToWorld_;
+    Mesh& mesh_;
+    /// Where each of the file's attributes is in the mesh; kPending before its first use.
+    std::vector<uint32_t> positions_, normals_, texcoords_;
+    EarClipper clip_;
+    std::vector<glm::vec3> polygon_;       ///< corners of the face at hand
+    std::vector<ObjFile::Corner> corners_; ///< and their places in the mesh
+};
+
+} // namespace
+
+void placeMesh(const ObjFile& obj, const glm::dmat4& toWorld,
+               const std::vector<uint32_t>& materials, Mesh& mesh) {
+    MeshPlacer(obj, toWorld, mesh).place(materials);
+}
+
+} // namespace dirt

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/io/obj.h"
+#include "core/scene/scene.h"
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+namespace dirt {
+
+/// Appends the faces of an OBJ file to a mesh: placed by \p toWorld (in double, rounded to float32
+/// once), cut into triangles, without the vertices that no face uses. \p materials holds, for each
+/// of the file's material names, its place in the scene, and last that of faces before the first
+/// usemtl. A triangle has normals (texture coordinates) only if all its corners have finite ones,
+/// and the normals are not zero. Throws InputError where a transformed position does not fit in
+/// float32.
+void placeMesh(const ObjFile& obj, const glm::dmat4& toWorld,
+               const std::vector<uint32_t>& materials, Mesh& mesh);
+
+} // namespace dirt

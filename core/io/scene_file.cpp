@@ -1,0 +1,207 @@
+#include "core/io/scene_file.h"
+
+#include "core/io/text_file.h"
+#include "core/io/transform.h"
+#include "core/io/xml.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <set>
+#include <string_view>
+
+namespace dirt {
+
+namespace {
+
+class SceneFileReader {
+public:
+    SceneFileReader(const std::filesystem::path& file, LoadReport& report)
+        : xml_(file), report_(report) {
+        scene_.file = file;
+    }
+
+    SceneFile read() {
+        const pugi::xml_node root = xml_.root();
+        if (std::string_view(root.name()) != "world")
+            xml_.fail(root, "the root element must be <world>");
+        const XmlAttributes attributes(xml_, root);
+        scene_.background = attributes.colour("background").value_or(scene_.background);
+        attributes.ignoreOthers({"background"}, report_);
+        for (const pugi::xml_node child : root.children()) worldChild(child);
+        return std::move(scene_);
+    }
+
+private:
+    void worldChild(pugi::xml_node node) {
+        const std::string_view name = node.name();
+        if (name == "directory")
+            directory(node);
+        else if (name == "tracing")
+            tracing(once(node));
+        else if (name == "camera")
+            camera(once(node));
+        else if (name == "user")
+            user(once(node));
+        else if (name == "light")
+            light(node);
+        else if (name == "tonemapping")
+            toneMapping(once(node));
+        else
+            placed(node, glm::dmat4(1.0));
+    }
+
+    pugi::xml_node once(pugi::xml_node node) {
+        if (!seen_.insert(node.name()).second) xml_.fail(node, "there may be one only");
+        return node;
+    }
+
+    void directory(pugi::xml_node node) {
+        const XmlAttributes attributes(xml_, node);
+        scene_.directories.push_back(attributes.text("path").value_or(""));
+        attributes.ignoreOthers({"path"}, report_);
+        ignoreChildren(node);
+    }
+
+    void tracing(pugi::xml_node node) {
+        const XmlAttributes attributes(xml_, node);
+        SceneSettings& settings = scene_.settings;
+        settings.tile = attributes.integer("block_size", 1, 64);
+        settings.bins = attributes.integer("buckets", 1, 1 << 16);
+        if (const auto bounces = attributes.integer("indirect_bounces", 0, 1 << 16))
+            settings.bounces = *bounces + 1;
+        if (const auto faces = attributes.text("faces")) {
+            if (*faces != "cubemap" && *faces != "single")
+                xml_.fail(node, "faces=" + inQuotes(*faces) + " is neither cubemap nor single");
+            settings.view = *faces == "single" ? ViewMode::single : ViewMode::full;
+        }
+        attributes.ignoreOthers({"block_size", "buckets", "indirect_bounces", "faces"}, report_);
+        ignoreChildren(node);
+    }
+
+    void camera(pugi::xml_node node) {
+        const XmlAttributes attributes(xml_, node);
+        float& fov = scene_.camera.verticalFov;
+        fov = attributes.number("aperture", 0.001, 179.0).value_or(fov);
+        attributes.ignoreOthers({"aperture"}, report_);
+        ignoreChildren(node);
+    }
+
+    void user(pugi::xml_node node) {
+        const XmlAttributes attributes(xml_, node);
+        const auto eye = attributes.vector3("position");
+        // Some of the demo's files say target.
+        auto target = attributes.vector3("lookat");
+        if (!target) target = attributes.vector3("target");
+        scene_.hasCamera = eye.has_value() || target.has_value();
+        if (eye) scene_.camera.eye = *eye;
+        scene_.camera.target =
+            target ? glm::vec3(*target) : scene_.camera.eye + glm::vec3(0.0f, 0.0f, -1.0f);
+        if (scene_.camera.target == scene_.camera.eye)
+            xml_.fail(node, "position and lookat are the same point");
+        attributes.ignoreOthers({"position", "lookat", "target"}, report_);
+        ignoreChildren(node);
+    }
+
+    void light(pugi::xml_node node) {
+        const XmlAttributes attributes(xml_, node);
+        attributes.ignoreOthers({"active", "type", "flux", "color", "position", "target",
+                                 "aperture", "penumbra", "spotlight_exponent", "conical"},
+                                report_);
+        ignoreChildren(node);
+        if (!attributes.boolean("active").value_or(true)) return;
+        const std::string type = attributes.text("type").value_or("spotlight");
+        if (type != "spotlight") xml_.fail(node, "type=" + inQuotes(type) + " is not spotlight");
+        if (scene_.light) xml_.fail(node, "there may be one active light only");
+
+        Spotlight light;
+        light.conical = attributes.boolean("conical").value_or(light.conical);
+        light.flux = attributes.number("flux", 0.0, FLT_MAX).value_or(light.flux);
+        light.color = attributes.colour("color").value_or(light.color);
+        light.position = attributes.vector3("position").value_or(light.position);
+        light.target = attributes.vector3("target").value_or(light.target);
+        if (light.position == light.target)
+            xml_.fail(node, "position and target are the same point");
+        const double widest = light.conical ? 360.0 : 179.0;
+        light.aperture = attributes.number("aperture", 0.001, widest).value_or(light.aperture);
+        light.penumbra =
+            attributes.number("penumbra", 0.0, light.aperture).value_or(light.aperture);
+        light.exponent =
+            attributes.number("spotlight_exponent", 0.0, FLT_MAX).value_or(light.exponent);
+        scene_.light = light;
+    }
+
+    void toneMapping(pugi::xml_node node) {
+        const XmlAttributes attributes(xml_, node);
+        ToneMapping& tone = scene_.toneMapping;
+        // 10^key must be a float32 number above 0.
+        tone.key = attributes.number("key", -37.0, 38.0).value_or(tone.key);
+        if (const auto white = attributes.colour("white")) {
+            tone.white = std::max({white->x, white->y, white->z});
+            if (!(tone.white > 0.0f)) xml_.fail(node, "white is black");
+        }
+        attributes.ignoreOthers({"key", "white"}, report_);
+        ignoreChildren(node);
+    }
+
+    /// What may stand in a <transformation>, or in <world>.
+    void placed(pugi::xml_node node, const glm::dmat4& parentToWorld) {
+        const std::string_view name = node.name();
+        if (name == "transformation")
+            transformation(node, parentToWorld);
+        else if (name == "object")
+            object(node, parentToWorld);
+        else
+            ignore(node);
+    }
+
+    void transformation(pugi::xml_node node, const glm::dmat4& parentToWorld) {
+        const XmlAttributes attributes(xml_, node);
+        const auto scale = attributes.vector3("scale").value_or(glm::dvec3(1.0));
+        const auto translation = attributes.vector3("translation").value_or(glm::dvec3(0.0));
+        // Angle in degrees, then the axis.
+        glm::dvec4 rotation = attributes.vector4("rotation").value_or(glm::dvec4(0, 0, 1, 0));
+        if (glm::dvec3(rotation.y, rotation.z, rotation.w) == glm::dvec3(0.0)) {
+            if (rotation.x != 0.0) xml_.fail(node, "the rotation's axis is zero");
+            rotation = glm::dvec4(0, 0, 1, 0);
+        }
+        attributes.ignoreOthers({"scale", "translation", "rotation"}, report_);
+        const glm::dmat4 toWorld =
+            parentToWorld * placement(scale, rotation.x,
+                                      glm::dvec3(rotation.y, rotation.z, rotation.w), translation);
+        for (const pugi::xml_node child : node.children()) placed(child, toWorld);
+    }
+
+    void object(pugi::xml_node node, const glm::dmat4& toWorld) {
+        const XmlAttributes attributes(xml_, node);
+        const auto file = attributes.text("file");
+        if (!file || trimmed(*file).empty()) xml_.fail(node, "file is missing");
+        scene_.objects.push_back({*file, xml_.line(node), toWorld});
+        attributes.ignoreOthers({"file"}, report_);
+        ignoreChildren(node);
+    }
+
+    void ignoreChildren(pugi::xml_node node) {
+        for (const pugi::xml_node child : node.children()) ignore(child);
+    }
+
+    void ignore(pugi::xml_node node) {
+        const std::string parent = node.parent().name();
+        if (node.type() == pugi::node_element)
+            report_.ignore("element <" + std::string(node.name()) + "> in <" + parent + ">");
+        else
+            report_.ignore("text in <" + parent + ">");
+    }
+
+    XmlFile xml_;
+    LoadReport& report_;
+    SceneFile scene_;
+    std::set<std::string> seen_; ///< elements that may be there once
+};
+
+} // namespace
+
+SceneFile readSceneFile(const std::filesystem::path& file, LoadReport& report) {
+    return SceneFileReader(file, report).read();
+}
+
+} // namespace dirt

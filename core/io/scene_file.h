@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/grid/geometry.h"
+#include "core/io/load_report.h"
+#include "core/scene/scene.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+namespace dirt {
+
+/// The render settings that a .scene file gives (element <tracing>).
+struct SceneSettings {
+    std::optional<int> tile;      ///< block_size, pixels
+    std::optional<int> bins;      ///< buckets
+    std::optional<int> bounces;   ///< indirect_bounces + 1
+    std::optional<ViewMode> view; ///< faces: cubemap is full, single is single
+};
+
+/// A .scene file: XML in the format of the 2017 DIRT demo. Geometry is named, not loaded.
+struct SceneFile {
+    /// One OBJ file and its place.
+    struct Object {
+        std::string file; ///< as written
+        size_t line = 0;
+        glm::dmat4 toWorld{1.0};
+    };
+
+    std::filesystem::path file;
+    std::vector<std::string> directories; ///< where objects are looked for, as written
+    std::vector<Object> objects;
+    Camera camera;          ///< up is +Y
+    bool hasCamera = false; ///< whether the file says where the camera stands
+    std::optional<Spotlight> light;
+    glm::vec3 background{0.0f};
+    ToneMapping toneMapping;
+    SceneSettings settings;
+};
+
+/// Reads a .scene file. Elements and attributes without effect are reported as ignored. Throws
+/// InputError with the element's line where the file is not well-formed XML, a value is malformed
+/// or out of range, or an element that may be there once is there twice.
+SceneFile readSceneFile(const std::filesystem::path& file, LoadReport& report);
+
+} // namespace dirt

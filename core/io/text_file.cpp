@@ -1,0 +1,99 @@
+#include "core/io/text_file.h"
+
+#include "core/io/load_report.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+namespace dirt {
+
+namespace {
+
+std::string readBytes(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) failAt(file, 0, "no such file");
+    if (std::filesystem::is_directory(status)) failAt(file, 0, "is a folder, not a file");
+    if (!std::filesystem::is_regular_file(status)) failAt(file, 0, "is not a regular file");
+
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
+                                                                 &std::fclose);
+    if (!stream) failAt(file, 0, std::string("cannot be opened: ") + std::strerror(errno));
+    std::string bytes;
+    const auto size = std::filesystem::file_size(file, error);
+    if (!error) bytes.reserve((size_t) size);
+    char block[1 << 16];
+    while (const size_t count = std::fread(block, 1, sizeof block, stream.get()))
+        bytes.append(block, count);
+    if (std::ferror(stream.get()))
+        failAt(file, 0, std::string("cannot be read: ") + std::strerror(errno));
+    return bytes;
+}
+
+} // namespace
+
+std::string readTextFile(const std::filesystem::path& file) {
+    std::string text = readBytes(file);
+    const auto startsWith = [&](const char* mark) { return text.rfind(mark, 0) == 0; };
+    if (startsWith("\xfe\xff") || startsWith("\xff\xfe"))
+        failAt(file, 1, "is UTF-16; only ASCII and UTF-8 text can be read");
+    if (startsWith("\xef\xbb\xbf")) text.erase(0, 3);
+    const size_t nul = text.find('\0');
+    if (nul != std::string::npos) {
+        const auto line = 1 + std::count(text.begin(), text.begin() + (ptrdiff_t) nul, '\n');
+        failAt(file, (size_t) line, "holds a NUL byte: not a text file");
+    }
+    return text;
+}
+
+bool LineReader::nextPhysicalLine() {
+    if (rest_.empty()) return false;
+    const size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+    line_ = rest_.substr(0, end);
+    size_t used = end;
+    if (used < rest_.size()) used += rest_.substr(used, 2) == "\r\n" ? 2 : 1;
+    rest_.remove_prefix(used);
+    ++physicalNumber_;
+    return true;
+}
+
+bool LineReader::next() {
+    if (!nextPhysicalLine()) return false;
+    number_ = physicalNumber_;
+    if (continuation_ == Continuation::none || line_.empty() || line_.back() != '\\' ||
+        trimmed(line_).front() == '#')
+        return true;
+
+    joined_.clear();
+    for (;;) {
+        const bool more = !line_.empty() && line_.back() == '\\';
+        joined_ += more ? line_.substr(0, line_.size() - 1) : line_;
+        if (!more) break;
+        joined_ += ' ';
+        if (!nextPhysicalLine()) break;
+    }
+    line_ = joined_;
+    return true;
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+std::string_view takeWord(std::string_view& text) {
+    size_t begin = 0;
+    while (begin < text.size() && isBlank(text[begin])) ++begin;
+    size_t end = begin;
+    while (end < text.size() && !isBlank(text[end])) ++end;
+    const std::string_view word = text.substr(begin, end - begin);
+    text.remove_prefix(end);
+    return word;
+}
+
+} // namespace dirt

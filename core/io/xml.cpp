@@ -1,0 +1,174 @@
+#include "core/io/xml.h"
+
+#include "core/io/number.h"
+#include "core/io/text_file.h"
+#include "core/io/utf8.h"
+
+#include <algorithm>
+#include <set>
+
+namespace dirt {
+
+namespace {
+
+/// Deeper nesting is refused, so that walking the tree needs little stack.
+constexpr int kMaxDepth = 256;
+
+std::string lowerCase(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = (char) (c - 'A' + 'a');
+    return text;
+}
+
+bool isSeparator(char c) {
+    return isBlank(c) || c == ',' || c == '\n' || c == '\r';
+}
+
+/// Takes the next number's text off the front of \p list; empty where none is left.
+std::string_view takeItem(std::string_view& list) {
+    const auto begin = std::find_if_not(list.begin(), list.end(), isSeparator);
+    const auto end = std::find_if(begin, list.end(), isSeparator);
+    const std::string_view item(begin, end);
+    list.remove_prefix((size_t) (end - list.begin()));
+    return item;
+}
+
+} // namespace
+
+XmlFile::XmlFile(const std::filesystem::path& file) : file_(file), text_(readTextFile(file)) {
+    checkUtf8();
+    // Fragments are allowed here so that text beside the root comes to light below.
+    const auto result =
+        document_.load_buffer(text_.data(), text_.size(),
+                              pugi::parse_default | pugi::parse_fragment, pugi::encoding_utf8);
+    if (!result) failAt(file_, lineOfOffset(result.offset), result.description());
+    if (!root()) failAt(file_, 1, "holds no XML element");
+    for (const pugi::xml_node child : document_.children()) {
+        if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
+            failAt(file_, lineOfText(child), "text outside of the root element");
+        if (child.type() == pugi::node_element && child != root())
+            fail(child, "a second root element");
+    }
+    checkTree(root(), 1);
+}
+
+void XmlFile::checkUtf8() const {
+    for (size_t i = 0; i < text_.size();) {
+        const size_t length = utf8Length(std::string_view(text_).substr(i, 4));
+        if (length == 0) failAt(file_, lineOfOffset((ptrdiff_t) i), "is not valid UTF-8");
+        i += length;
+    }
+}
+
+void XmlFile::checkTree(pugi::xml_node parent, int depth) const {
+    if (depth > kMaxDepth) fail(parent, "elements are nested too deeply");
+    std::set<std::string_view> names;
+    for (const pugi::xml_attribute attribute : parent.attributes())
+        if (!names.insert(attribute.name()).second)
+            fail(parent, "attribute " + inQuotes(attribute.name()) + " appears twice");
+    for (const pugi::xml_node child : parent.children())
+        if (child.type() == pugi::node_element) checkTree(child, depth + 1);
+}
+
+size_t XmlFile::lineOfOffset(ptrdiff_t offset) const {
+    const ptrdiff_t end = std::clamp(offset, ptrdiff_t(0), (ptrdiff_t) text_.size());
+    return 1 + (size_t) std::count(text_.begin(), text_.begin() + end, '\n');
+}
+
+size_t XmlFile::line(pugi::xml_node node) const {
+    return lineOfOffset(node.offset_debug());
+}
+
+/// Text begins right after the tag before it, mostly with a line break.
+size_t XmlFile::lineOfText(pugi::xml_node node) const {
+    const std::string_view text = node.value();
+    const size_t blanks = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    return line(node) + (size_t) std::count(text.begin(), text.begin() + (ptrdiff_t) blanks, '\n');
+}
+
+void XmlFile::fail(pugi::xml_node node, const std::string& message) const {
+    failAt(file_, line(node), "<" + printable(node.name()) + ">: " + message);
+}
+
+void XmlAttributes::fail(const char* name, const std::string& message) const {
+    xml_.fail(node_,
+              std::string(name) + "=" + inQuotes(node_.attribute(name).value()) + " " + message);
+}
+
+std::optional<std::string> XmlAttributes::text(const char* name) const {
+    const pugi::xml_attribute attribute = node_.attribute(name);
+    if (!attribute) return std::nullopt;
+    return attribute.value();
+}
+
+std::optional<bool> XmlAttributes::boolean(const char* name) const {
+    const auto value = text(name);
+    if (!value) return std::nullopt;
+    const std::string word = lowerCase(std::string(trimmed(*value)));
+    if (word == "true" || word == "on" || word == "1") return true;
+    if (word == "false" || word == "off" || word == "0") return false;
+    fail(name, "is neither true nor false");
+}
+
+std::optional<int> XmlAttributes::integer(const char* name, int lowest, int highest) const {
+    const auto value = text(name);
+    if (!value) return std::nullopt;
+    const auto parsed = parseInteger(trimmed(*value));
+    if (!parsed || *parsed < lowest || *parsed > highest)
+        fail(name,
+             "is not an integer from " + std::to_string(lowest) + " to " + std::to_string(highest));
+    return parsed;
+}
+
+bool XmlAttributes::numbers(const char* name, double* values, int count) const {
+    const auto value = text(name);
+    if (!value) return false;
+    std::string_view list = *value;
+    int found = 0;
+    for (auto item = takeItem(list); !item.empty(); item = takeItem(list), ++found) {
+        const auto parsed = parseNumber(item);
+        if (!parsed) fail(name, "is malformed: " + inQuotes(item) + " is not a number");
+        if (!fitsFloat(*parsed)) fail(name, "is not finite in float32");
+        if (found < count) values[found] = *parsed;
+    }
+    if (found != count)
+        fail(name, "has " + std::to_string(found) + " numbers, not " + std::to_string(count));
+    return true;
+}
+
+std::optional<float> XmlAttributes::number(const char* name, double lowest, double highest) const {
+    double value = 0.0;
+    if (!numbers(name, &value, 1)) return std::nullopt;
+    if (value < lowest || value > highest) fail(name, "is out of range");
+    return (float) value;
+}
+
+std::optional<glm::dvec3> XmlAttributes::vector3(const char* name) const {
+    glm::dvec3 value(0.0);
+    if (!numbers(name, &value.x, 3)) return std::nullopt;
+    return value;
+}
+
+std::optional<glm::dvec4> XmlAttributes::vector4(const char* name) const {
+    glm::dvec4 value(0.0);
+    if (!numbers(name, &value.x, 4)) return std::nullopt;
+    return value;
+}
+
+std::optional<glm::vec3> XmlAttributes::colour(const char* name) const {
+    const auto value = vector3(name);
+    if (!value) return std::nullopt;
+    if (value->x < 0.0 || value->y < 0.0 || value->z < 0.0) fail(name, "is negative");
+    return glm::vec3(*value);
+}
+
+void XmlAttributes::ignoreOthers(std::initializer_list<std::string_view> known,
+                                 LoadReport& report) const {
+    for (const pugi::xml_attribute attribute : node_.attributes()) {
+        const std::string_view name = attribute.name();
+        if (name != "name" && std::find(known.begin(), known.end(), name) == known.end())
+            report.ignore("attribute " + std::string(name) + " of <" + node_.name() + ">");
+    }
+}
+
+} // namespace dirt

@@ -1,0 +1,69 @@
+#include "core/scene/texture.h"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace dirt {
+
+namespace {
+
+/// sRGB byte to linear (IEC 61966-2-1), in double and rounded once.
+std::array<float, 256> makeDecodeTable() {
+    std::array<float, 256> table;
+    for (int i = 0; i < 256; ++i) {
+        const double s = i / 255.0;
+        table[(size_t) i] = (float) (s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+    }
+    return table;
+}
+
+const std::array<float, 256> kDecode = makeDecodeTable();
+
+/// The two texels between whose centres a coordinate lies, and the second one's weight.
+struct Neighbours {
+    int first, second;
+    float weight;
+};
+
+/// \p position: in periods; any finite number.
+Neighbours neighbours(float position, int size) {
+    // In [0, 1]: 1 where a tiny negative position is rounded up, 0 for all floats from 2^23 on.
+    const float fraction = position - std::floor(position);
+    const float texel = fraction * (float) size - 0.5f;
+    const float lower = std::floor(texel);
+    const int first = (int) lower; // in [-1, size - 1]
+    return {first < 0 ? size - 1 : first, first + 1 < size ? first + 1 : 0, texel - lower};
+}
+
+} // namespace
+
+Texture::Texture(std::string file, int width, int height, std::vector<uint8_t> texels)
+    : file_(std::move(file)), width_(width), height_(height), bytes_(std::move(texels)) {
+    assert(bytes_.size() == (size_t) width_ * (size_t) height_ * 3);
+}
+
+Texture::Texture(std::string file, int width, int height, std::vector<float> texels)
+    : file_(std::move(file)), width_(width), height_(height), floats_(std::move(texels)) {
+    assert(floats_.size() == (size_t) width_ * (size_t) height_ * 3);
+}
+
+glm::vec3 Texture::texel(int x, int y) const {
+    const size_t i = ((size_t) y * (size_t) width_ + (size_t) x) * 3;
+    if (floats_.empty())
+        return {kDecode[bytes_[i]], kDecode[bytes_[i + 1]], kDecode[bytes_[i + 2]]};
+    return {floats_[i], floats_[i + 1], floats_[i + 2]};
+}
+
+glm::vec3 Texture::sample(glm::vec2 uv) const {
+    const Neighbours x = neighbours(uv.x, width_);
+    const Neighbours y = neighbours(-uv.y, height_); // v upwards, rows downwards
+    const glm::vec3 upper =
+        (1.0f - x.weight) * texel(x.first, y.first) + x.weight * texel(x.second, y.first);
+    const glm::vec3 lower =
+        (1.0f - x.weight) * texel(x.first, y.second) + x.weight * texel(x.second, y.second);
+    return (1.0f - y.weight) * upper + y.weight * lower;
+}
+
+} // namespace dirt

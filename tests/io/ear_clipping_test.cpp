@@ -1,0 +1,170 @@
+#include "core/io/ear_clipping.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace dirt {
+namespace {
+
+using Polygon = std::vector<glm::vec3>;
+using Ears = std::vector<EarClipper::Ear>;
+
+Ears clip(const Polygon& polygon) {
+    EarClipper clipper;
+    const auto ears = clipper(polygon);
+    return {ears.begin(), ears.end()};
+}
+
+double cross(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Checks a polygon in the plane z = 0 with integer coordinates below 2^20, which runs
+/// counter-clockwise and does not cross itself: its n - 2 triangles cover it exactly. How often
+/// triangles, counted with sign, cover a point is how often the polygon winds around it: here once
+/// or never. So it is enough that none of them is turned or without area.
+void expectExactCover(const Polygon& polygon) {
+    const Ears ears = clip(polygon);
+    ASSERT_EQ(ears.size(), polygon.size() - 2);
+    double sum = 0.0, area = 0.0;
+    for (const auto& ear : ears) {
+        const double piece = cross(polygon[ear[0]], polygon[ear[1]], polygon[ear[2]]);
+        EXPECT_GT(piece, 0.0) << ear[0] << ' ' << ear[1] << ' ' << ear[2];
+        sum += piece;
+    }
+    for (size_t i = 1; i + 1 < polygon.size(); ++i)
+        area += cross(polygon[0], polygon[i], polygon[i + 1]);
+    EXPECT_EQ(sum, area); // sums of integers below 2^53: exact
+}
+
+TEST(EarClipping, MakesAFanOfConvexPolygons) {
+    EXPECT_EQ(clip({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}), (Ears{{0, 1, 2}}));
+    EXPECT_EQ(clip({{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {0, 2, 0}}),
+              (Ears{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
+}
+
+TEST(EarClipping, NeedsThreeCorners) {
+    EXPECT_TRUE(clip({}).empty());
+    EXPECT_TRUE(clip({{0, 0, 0}, {1, 0, 0}}).empty());
+}
+
+TEST(EarClipping, KeepsConcaveShapes) {
+    expectExactCover({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 1, 0}});                       // dart
+    expectExactCover({{3, 1, 0}, {0, 0, 0}, {4, 0, 0}, {4, 4, 0}});                       // shifted
+    expectExactCover({{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}}); // L
+    expectExactCover({{0, 0, 0},
+                      {9, 0, 0},
+                      {9, 5, 0},
+                      {6, 5, 0},
+                      {6, 1, 0},
+                      {3, 1, 0},
+                      {3, 5, 0},
+                      {0, 5, 0}}); // U
+    expectExactCover({{0, 0, 0},
+                      {8, 0, 0},
+                      {8, 8, 0},
+                      {1, 8, 0},
+                      {1, 2, 0},
+                      {6, 2, 0},
+                      {6, 6, 0},
+                      {3, 6, 0},
+                      {3, 5, 0},
+                      {5, 5, 0},
+                      {5, 3, 0},
+                      {2, 3, 0},
+                      {2, 7, 0},
+                      {7, 7, 0},
+                      {7, 1, 0},
+                      {0, 1, 0}}); // spiral
+}
+
+TEST(EarClipping, GivesCornersInLineAreaWhereItCan) {
+    expectExactCover({{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 4, 0}, {0, 4, 0}});
+    expectExactCover({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 3, 0}});
+}
+
+TEST(EarClipping, KeepsHolesThatAreReachedOverADoubleEdge) {
+    // An outer square, an inner one run through the other way, and the way there and back.
+    expectExactCover({{0, 0, 0},
+                      {6, 0, 0},
+                      {6, 6, 0},
+                      {0, 6, 0},
+                      {0, 0, 0},
+                      {2, 2, 0},
+                      {2, 4, 0},
+                      {4, 4, 0},
+                      {4, 2, 0},
+                      {2, 2, 0}});
+}
+
+TEST(EarClipping, KeepsRandomStarPolygons) {
+    std::mt19937 random(1);
+    for (int round = 0; round < 300; ++round) {
+        // Corners in the order of their angle around the origin, at random distances.
+        const int count = 4 + (int) (random() % 60);
+        Polygon polygon;
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / count;
+            const double radius = 1000.0 + (double) (random() % 100000);
+            polygon.emplace_back(std::round(radius * std::cos(angle)),
+                                 std::round(radius * std::sin(angle)), 0.0);
+        }
+        expectExactCover(polygon);
+        if (testing::Test::HasFailure()) FAIL() << "round " << round;
+    }
+}
+
+TEST(EarClipping, DoesNotDependOnThePlaneOrItsSide) {
+    const Polygon shape = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}};
+    const Ears expected = clip(shape);
+    const auto map = [&](auto&& f) {
+        Polygon mapped;
+        for (const glm::vec3& p : shape) mapped.push_back(f(p));
+        return clip(mapped);
+    };
+    EXPECT_EQ(map([](glm::vec3 p) { return glm::vec3(p.y, p.x, 0); }), expected);
+    EXPECT_EQ(map([](glm::vec3 p) { return glm::vec3(0, p.x, p.y); }), expected);
+    EXPECT_EQ(map([](glm::vec3 p) { return glm::vec3(p.x, 0, p.y); }), expected);
+    EXPECT_EQ(map([](glm::vec3 p) { return glm::vec3(p.x, p.y, 3 * p.x + p.y); }), expected);
+    EXPECT_EQ(map([](glm::vec3 p) { return p + glm::vec3(1 << 20, -(1 << 20), 7); }), expected);
+    EXPECT_EQ(map([](glm::vec3 p) { return p * 1e-20f; }), expected);
+    EXPECT_EQ(map([](glm::vec3 p) { return p * 1e30f; }), expected);
+}
+
+TEST(EarClipping, NeverDropsATriangle) {
+    const Polygon degenerate[] = {
+        {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}},            // a point
+        {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}},                       // a line
+        {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},                       // a bow tie
+        {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}}, // to and fro
+        {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}, {2, -2, 0}, {3, 3, 0}},           // a pentagram
+    };
+    for (const Polygon& polygon : degenerate) {
+        const Ears ears = clip(polygon);
+        EXPECT_EQ(ears.size(), polygon.size() - 2);
+        std::vector<bool> used(polygon.size(), false);
+        for (const auto& ear : ears) {
+            EXPECT_TRUE(ear[0] != ear[1] && ear[1] != ear[2] && ear[2] != ear[0]);
+            for (uint32_t corner : ear) used[corner] = true;
+        }
+        EXPECT_EQ(std::count(used.begin(), used.end(), false), 0);
+    }
+}
+
+TEST(EarClipping, TakesRandomGarbage) {
+    std::mt19937 random(2);
+    for (int round = 0; round < 2000; ++round) {
+        Polygon polygon(3 + random() % 30);
+        for (glm::vec3& p : polygon)
+            p = {(float) (random() % 5), (float) (random() % 5), (float) (random() % 2)};
+        EXPECT_EQ(clip(polygon).size(), polygon.size() - 2);
+    }
+}
+
+} // namespace
+} // namespace dirt

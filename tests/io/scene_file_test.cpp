@@ -1,0 +1,245 @@
+#include "core/io/scene_file.h"
+#include "tests/io/input_error.h"
+#include "tests/io/temp_folder.h"
+#include "tests/io/test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+namespace dirt {
+namespace {
+
+class SceneXml : public testing::Test {
+protected:
+    SceneFile read(const std::string& text) {
+        return readSceneFile(folder_.write("test.scene", text), report_);
+    }
+    SceneFile readWorld(const std::string& content) {
+        return read("<world>\n" + content + "\n</world>");
+    }
+    /// The error's text after the file's name: ":line: message".
+    std::string error(const std::string& text) {
+        const std::string file = folder_.write("test.scene", text).string();
+        const std::string what = inputError([&] { readSceneFile(file, report_); });
+        return what.empty() ? what : what.substr(file.size());
+    }
+    std::string errorInWorld(const std::string& content) {
+        return error("<world>\n" + content + "\n</world>");
+    }
+
+    TempFolder folder_;
+    LoadReport report_;
+};
+
+TEST_F(SceneXml, EmptyWorldGivesDefaults) {
+    const SceneFile scene = read("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<world/>\n");
+    EXPECT_FALSE(scene.hasCamera);
+    EXPECT_FALSE(scene.light);
+    EXPECT_FALSE(scene.settings.tile || scene.settings.bins || scene.settings.bounces ||
+                 scene.settings.view);
+    EXPECT_EQ(scene.background, glm::vec3(0));
+    EXPECT_TRUE(report_.ignored().empty());
+}
+
+TEST_F(SceneXml, ReadsTracing) {
+    const SceneFile scene = readWorld("<tracing block_size=' 4 ' buckets='44' faces='single' "
+                                      "indirect_bounces='0'/>");
+    EXPECT_EQ(scene.settings.tile, 4);
+    EXPECT_EQ(scene.settings.bins, 44);
+    EXPECT_EQ(scene.settings.bounces, 1);
+    EXPECT_EQ(scene.settings.view, ViewMode::single);
+    EXPECT_EQ(readWorld("<tracing faces='cubemap'/>").settings.view, ViewMode::full);
+    EXPECT_EQ(error("<world>\n\n<tracing\n faces='seven'/></world>"),
+              ":3: <tracing>: faces='seven' is neither cubemap nor single");
+    EXPECT_EQ(errorInWorld("<tracing block_size='two'/>"),
+              ":2: <tracing>: block_size='two' is not an integer from 1 to 64");
+    EXPECT_NE(errorInWorld("<tracing block_size='0'/>"), "");
+    EXPECT_NE(errorInWorld("<tracing buckets='0'/>"), "");
+    EXPECT_NE(errorInWorld("<tracing indirect_bounces='-1'/>"), "");
+}
+
+TEST_F(SceneXml, ReadsCameraAndUser) {
+    const SceneFile scene = readWorld("<camera aperture='35'/>"
+                                      "<user position='1,2 3' lookat=' 4 , 5,6 '/>");
+    EXPECT_TRUE(scene.hasCamera);
+    EXPECT_EQ(scene.camera.verticalFov, 35.0f);
+    EXPECT_EQ(scene.camera.eye, glm::vec3(1, 2, 3));
+    EXPECT_EQ(scene.camera.target, glm::vec3(4, 5, 6));
+    EXPECT_EQ(scene.camera.up, glm::vec3(0, 1, 0));
+    EXPECT_EQ(readWorld("<user position='0 0 0' target='1 0 0'/>").camera.target,
+              glm::vec3(1, 0, 0));
+    EXPECT_EQ(readWorld("<user position='7 0 0'/>").camera.target, glm::vec3(7, 0, -1));
+    EXPECT_FALSE(readWorld("<camera aperture='35'/>").hasCamera);
+    EXPECT_EQ(errorInWorld("<user position='1 2 3' lookat='1 2 3'/>"),
+              ":2: <user>: position and lookat are the same point");
+    EXPECT_EQ(errorInWorld("<camera aperture='180'/>"),
+              ":2: <camera>: aperture='180' is out of range");
+}
+
+TEST_F(SceneXml, ReadsTheLight) {
+    const SceneFile scene = readWorld(
+        "<light type='spotlight' active='ON' flux='12' color='1 0.5 0.25' position='0 9 0'\n"
+        " target='0 0 0' aperture='90' penumbra='80' spotlight_exponent='2' conical='False'/>");
+    ASSERT_TRUE(scene.light);
+    EXPECT_EQ(scene.light->flux, 12.0f);
+    EXPECT_EQ(scene.light->color, glm::vec3(1, 0.5f, 0.25f));
+    EXPECT_EQ(scene.light->position, glm::vec3(0, 9, 0));
+    EXPECT_EQ(scene.light->target, glm::vec3(0, 0, 0));
+    EXPECT_EQ(scene.light->aperture, 90.0f);
+    EXPECT_EQ(scene.light->penumbra, 80.0f);
+    EXPECT_EQ(scene.light->exponent, 2.0f);
+    EXPECT_FALSE(scene.light->conical);
+}
+
+TEST_F(SceneXml, LightWithoutPenumbraHasNoFalloff) {
+    EXPECT_EQ(readWorld("<light aperture='40'/>").light->penumbra, 40.0f);
+}
+
+TEST_F(SceneXml, LeavesInactiveLightsOut) {
+    EXPECT_FALSE(readWorld("<light active='off'/>").light);
+    EXPECT_EQ(readWorld("<light active='0' flux='1'/><light flux='2'/>").light->flux, 2.0f);
+    EXPECT_EQ(errorInWorld("<light/>\n<light/>"),
+              ":3: <light>: there may be one active light only");
+}
+
+TEST_F(SceneXml, RefusesImpossibleLights) {
+    EXPECT_EQ(errorInWorld("<light type='sun'/>"), ":2: <light>: type='sun' is not spotlight");
+    EXPECT_EQ(errorInWorld("<light flux='-1'/>"), ":2: <light>: flux='-1' is out of range");
+    EXPECT_EQ(errorInWorld("<light color='1 -1 1'/>"), ":2: <light>: color='1 -1 1' is negative");
+    EXPECT_EQ(errorInWorld("<light aperture='40' penumbra='41'/>"),
+              ":2: <light>: penumbra='41' is out of range");
+    EXPECT_EQ(errorInWorld("<light position='1 1 1' target='1 1 1'/>"),
+              ":2: <light>: position and target are the same point");
+    EXPECT_EQ(errorInWorld("<light active='maybe'/>"),
+              ":2: <light>: active='maybe' is neither true nor false");
+}
+
+TEST_F(SceneXml, ReadsBackgroundAndToneMapping) {
+    const SceneFile scene =
+        read("<world background='0.45, 0.65, 0.86'><tonemapping key='2' white='1,4 3'/></world>");
+    EXPECT_EQ(scene.background, glm::vec3(0.45f, 0.65f, 0.86f));
+    EXPECT_EQ(scene.toneMapping.key, 2.0f);
+    EXPECT_EQ(scene.toneMapping.white, 4.0f);
+    EXPECT_NE(errorInWorld("<tonemapping white='0 0 0'/>"), "");
+    EXPECT_NE(errorInWorld("<tonemapping key='39'/>"), "");
+}
+
+TEST_F(SceneXml, NestsTransformations) {
+    const SceneFile scene = readWorld("<transformation scale='2 2 2' translation='1 0 0'>\n"
+                                      "<object file='a.obj'/>\n"
+                                      "<transformation rotation='90,0,1,0' translation='0,0,3'>\n"
+                                      "<object file='b.obj'/></transformation></transformation>\n"
+                                      "<object file='c.obj'/>");
+    ASSERT_EQ(scene.objects.size(), 3u);
+    const auto place = [&](size_t i) {
+        return glm::dvec3(scene.objects[i].toWorld * glm::dvec4(1, 0, 0, 1));
+    };
+    EXPECT_EQ(scene.objects[0].file, "a.obj");
+    EXPECT_EQ(scene.objects[1].file, "b.obj");
+    EXPECT_EQ(scene.objects[1].line, 5u);
+    EXPECT_EQ(place(0), glm::dvec3(3, 0, 0));
+    EXPECT_EQ(place(1), glm::dvec3(1, 0, 4)); // turned to -Z, moved by 3, doubled, moved by 1
+    EXPECT_EQ(place(2), glm::dvec3(1, 0, 0));
+}
+
+TEST_F(SceneXml, RefusesMalformedNumbers) {
+    EXPECT_EQ(errorInWorld("<transformation scale='1 1'/>"),
+              ":2: <transformation>: scale='1 1' has 2 numbers, not 3");
+    EXPECT_EQ(errorInWorld("<transformation scale='1 1 1 1'/>"),
+              ":2: <transformation>: scale='1 1 1 1' has 4 numbers, not 3");
+    EXPECT_EQ(errorInWorld("<transformation scale='1 1 x'/>"),
+              ":2: <transformation>: scale='1 1 x' is malformed: 'x' is not a number");
+    EXPECT_EQ(errorInWorld("<transformation translation='nan 0 0'/>"),
+              ":2: <transformation>: translation='nan 0 0' is not finite in float32");
+    EXPECT_EQ(errorInWorld("<transformation rotation='10 0 0 0'/>"),
+              ":2: <transformation>: the rotation's axis is zero");
+    EXPECT_EQ(errorInWorld("<object/>"), ":2: <object>: file is missing");
+}
+
+TEST_F(SceneXml, ListsWhatHasNoEffectOnce) {
+    readWorld("<font size='1'/><font/><tracing dof='1' name='t'/>\n"
+              "<transformation><light/></transformation><user input='i'>text</user>");
+    EXPECT_EQ(report_.ignored(),
+              (std::vector<std::string>{"element <font> in <world>", "attribute dof of <tracing>",
+                                        "element <light> in <transformation>",
+                                        "attribute input of <user>", "text in <user>"}));
+}
+
+TEST_F(SceneXml, RefusesWhatIsNotWellFormed) {
+    EXPECT_EQ(error("<world>\n<user></world>\n").rfind(":2: ", 0), 0u);
+    EXPECT_EQ(error("").rfind(":1: ", 0), 0u);
+    EXPECT_EQ(error("<!-- nothing -->\n"), ":1: holds no XML element");
+    EXPECT_EQ(error("no xml"), ":1: holds no XML element");
+    EXPECT_EQ(error("<scene/>"), ":1: <scene>: the root element must be <world>");
+    EXPECT_EQ(error("<world/>\n\n<world/>"), ":3: <world>: a second root element");
+    EXPECT_EQ(error("<world/>\n\r\n text"), ":3: text outside of the root element");
+    EXPECT_EQ(error("text\n<world/>"), ":1: text outside of the root element");
+    EXPECT_EQ(error("<world>\n<user\nposition='0 0 0' position='1 1 1'/></world>"),
+              ":2: <user>: attribute 'position' appears twice");
+    EXPECT_EQ(error("<world>\n<object file='d\xfcster.obj'/></world>"), ":2: is not valid UTF-8");
+    EXPECT_EQ(error(std::string("\xff\xfe<\0w\0", 6)),
+              ":1: is UTF-16; only ASCII and UTF-8 text can be read");
+}
+
+TEST_F(SceneXml, RefusesASecondOfWhatThereIsOnce) {
+    for (const std::string name : {"tracing", "camera", "user", "tonemapping"}) {
+        std::string element = "<" + name + "/>";
+        EXPECT_EQ(errorInWorld(element + "\n" + element),
+                  ":3: <" + name + ">: there may be one only");
+    }
+}
+
+TEST_F(SceneXml, RefusesBottomlessNesting) {
+    std::string text = "<world>";
+    for (int i = 0; i < 200000; ++i) text += "<transformation>";
+    for (int i = 0; i < 200000; ++i) text += "</transformation>";
+    EXPECT_EQ(error(text + "</world>"), ":1: <transformation>: elements are nested too deeply");
+}
+
+/// Every scene file of the 2017 demo; its models are not there.
+TEST_F(SceneXml, ReadsTheDemo) {
+    if (!std::filesystem::is_directory(demoFolder()))
+        GTEST_SKIP() << "no files of the 2017 demo at " << demoFolder();
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(demoFolder())) {
+        if (entry.path().extension() != ".scene") continue;
+        SCOPED_TRACE(entry.path());
+        ++files;
+        const SceneFile scene = readSceneFile(entry.path(), report_);
+        const std::string name = entry.path().stem().string();
+        EXPECT_TRUE(scene.hasCamera);
+        EXPECT_TRUE(scene.light);
+        EXPECT_EQ(scene.settings.bounces, 2);
+        EXPECT_EQ(scene.settings.view,
+                  name.find("full") != std::string::npos ? ViewMode::full : ViewMode::single);
+        EXPECT_TRUE(scene.settings.tile && *scene.settings.tile <= 8);
+        const size_t objects = name[0] == 'b' ? scene.objects.size() : name[0] == 'h' ? 3 : 1;
+        EXPECT_EQ(scene.objects.size(), name.rfind("template", 0) == 0 ? 0 : objects);
+    }
+    EXPECT_EQ(files, 17);
+}
+
+TEST_F(SceneXml, ReadsTheHangarInDetail) {
+    const auto file = demoFolder() / "hangar_dirt_full.scene";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+    const SceneFile scene = readSceneFile(file, report_);
+    EXPECT_EQ(scene.directories, std::vector<std::string>{"Hangar"});
+    EXPECT_EQ(scene.camera.verticalFov, 60.0f);
+    EXPECT_EQ(scene.camera.eye, glm::vec3(-8.73f, 4.57f, 8.24f));
+    EXPECT_EQ(scene.camera.target, glm::vec3(-0.93f, -0.84f, 28.31f));
+    EXPECT_EQ(scene.light->flux, 3000.0f);
+    EXPECT_EQ(scene.light->penumbra, 20.0f);
+    EXPECT_EQ(scene.settings.bins, 20);
+    EXPECT_EQ(scene.toneMapping.white, 2.0f);
+    EXPECT_EQ(scene.objects[2].file, "dreadnaught.obj");
+    EXPECT_EQ(scene.objects[2].line, 37u);
+    EXPECT_EQ(scene.objects[2].toWorld[3], glm::dvec4(3, 0, 26, 1));
+}
+
+} // namespace
+} // namespace dirt
