@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+
+/// Deterministic noise: integer hashes only, so every machine makes the same scene.
+namespace dirt::generate {
+
+/// Mixes up to three integers into 32 well-scattered bits.
+std::uint32_t hashBits(std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0);
+
+/// A hash as a number in [0, 1).
+double hashUnit(std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0);
+
+/// A hash as a number in [low, high).
+double hashRange(double low, double high, std::uint32_t a, std::uint32_t b = 0,
+                 std::uint32_t c = 0);
+
+/// Gradient noise in about [-1, 1] that repeats every `period` cells in both directions.
+double periodicNoise(glm::dvec2 point, int period, std::uint32_t seed);
+
+/// Octaves of `periodicNoise` over the unit square: seamless, the first with `period` cells.
+double fractalNoise(glm::dvec2 unit, int period, int octaves, std::uint32_t seed,
+                    double persistence = 0.5);
+
+/// What a point of the unit square sees of scattered cell centres, seamless.
+struct CellSample {
+    double nearest;     ///< distance to the nearest centre, in cells
+    double border;      ///< second nearest minus nearest: 0 on the cells' borders
+    std::uint32_t cell; ///< hash of the nearest centre
+};
+
+/// Worley's cellular noise with `period` by `period` cells.
+CellSample cellNoise(glm::dvec2 unit, int period, std::uint32_t seed);
+
+} // namespace dirt::generate

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "scenes/generate/model.h"
+
+/// Procedural textures. Each covers the unit square seamlessly with sRGB colours.
+namespace dirt::generate {
+
+using Colour = glm::dvec3;
+
+/// A colour from 0xRRGGBB.
+constexpr Colour rgb(unsigned hex) {
+    return {(hex >> 16 & 255) / 255.0, (hex >> 8 & 255) / 255.0, (hex & 255) / 255.0};
+}
+
+/// Cream limestone: cloudy, pitted, stained. With `courses` > 0, cut into ashlar blocks in so many
+/// courses, each of its own shade.
+TextureRecipe limestone(int courses);
+
+/// Marble with veins of `vein` in clouds between two shades.
+TextureRecipe marble(Colour light, Colour dark, Colour vein, int scale, std::uint32_t seed);
+
+/// Old stucco: several coats, washed out and stained.
+TextureRecipe plaster(Colour coat, Colour undercoat);
+
+/// Bricks in stretcher bond with lime joints.
+TextureRecipe bricks();
+
+/// Fired clay in bands, with lime bloom.
+TextureRecipe clay(Colour base, std::uint32_t seed);
+
+/// Planks' grain along the texture's second axis.
+TextureRecipe timber(Colour light, Colour dark);
+
+/// Woven cloth with a damask pattern in a shade of its own.
+TextureRecipe damask(Colour ground, Colour figure, std::uint32_t seed);
+
+/// Gold braid.
+TextureRecipe braid();
+
+/// A leaf along the second axis: midrib, veins, paler edge.
+TextureRecipe foliage(Colour green, Colour pale);
+
+} // namespace dirt::generate
