@@ -29,6 +29,7 @@ public:
     std::filesystem::path write(const std::string& name, const std::string& content) const {
         const std::filesystem::path file = path_ / name;
         std::filesystem::create_directories(file.parent_path());
+        std::filesystem::remove(file); // file systems flush a file that is overwritten: slow
         std::ofstream(file, std::ios::binary) << content;
         return file;
     }
