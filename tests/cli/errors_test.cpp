@@ -8,7 +8,7 @@ namespace dirt::test {
 namespace {
 
 /// One line that begins with "dirt: " and says all of \p parts; nothing on standard output.
-void expectLine(const Run& run, int status, const std::vector<std::string>& parts) {
+void expectLine(const Outcome& run, int status, const std::vector<std::string>& parts) {
     EXPECT_EQ(run.status, status) << run.err;
     EXPECT_EQ(run.out, "");
     ASSERT_FALSE(run.err.empty());
@@ -33,7 +33,7 @@ TEST_P(OptionOutOfRange, IsNamedWithItsText) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("a.obj", kTriangleObj);
     expectLine(dirt({"info", scene, name, value}), 2,
-               {std::string(name) + ":", "'" + std::string(value) + "'"});
+               {std::string(name) + ":", std::string("'") + value + "'"});
 }
 
 INSTANTIATE_TEST_SUITE_P(

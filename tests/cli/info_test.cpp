@@ -13,7 +13,7 @@ using nlohmann::json;
 
 json info(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"info", "--json"});
-    const Run run = dirt(arguments);
+    const Outcome run = dirt(arguments);
     EXPECT_EQ(run.status, 0) << run.err;
     return json::parse(run.out);
 }
@@ -94,7 +94,7 @@ TEST(Info, MemoryIsTheSumOfItsBuffers) {
 
 TEST(Info, JsonIsAloneOnStandardOutput) {
     const TemporaryFolder folder;
-    const Run run = dirt(
+    const Outcome run = dirt(
         {"info", "--json", folder.write("a.obj", std::string("mtllib none.mtl\n") + kTriangleObj)});
     EXPECT_EQ(run.status, 0);
     EXPECT_TRUE(json::accept(run.out));

@@ -14,7 +14,7 @@
 namespace dirt::test {
 
 /// What a run of the program gave.
-struct Run {
+struct Outcome {
     int status = -1; ///< exit status; 128 + signal where a signal ended it
     std::string out, err;
 };
@@ -54,7 +54,7 @@ inline std::string readFile(const std::string& file) {
 }
 
 /// Runs \p program with \p arguments, passed as they are.
-inline Run runProgram(const std::string& program, const std::vector<std::string>& arguments) {
+inline Outcome runProgram(const std::string& program, const std::vector<std::string>& arguments) {
     const TemporaryFolder folder;
     const std::string out = folder / "out", err = folder / "err";
     const pid_t child = fork();
@@ -70,7 +70,7 @@ inline Run runProgram(const std::string& program, const std::vector<std::string>
     }
     int state = 0;
     if (child < 0 || waitpid(child, &state, 0) != child) std::abort();
-    Run run;
+    Outcome run;
     run.status = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
     run.out = readFile(out);
     run.err = readFile(err);
@@ -78,7 +78,7 @@ inline Run runProgram(const std::string& program, const std::vector<std::string>
 }
 
 /// Runs `dirt` of this build.
-inline Run dirt(const std::vector<std::string>& arguments) {
+inline Outcome dirt(const std::vector<std::string>& arguments) {
     return runProgram(DIRT_PROGRAM, arguments);
 }
 
