@@ -40,11 +40,11 @@ glm::dvec3 pointOnTriangle(const Triangle& t, RayRandom& random) {
     return glm::dvec3(t.a) * (1.0 - u - v) + glm::dvec3(t.b) * u + glm::dvec3(t.c) * v;
 }
 
-/// The geometry has no denormals, and neither do its rays (G7).
+/// The geometry has no denormals, and neither do its rays (G7). Negative zeros stay.
 Ray withoutDenormals(Ray ray) {
     for (int i = 0; i < 3; i++) {
-        ray.origin[i] = flushed(ray.origin[i]);
-        ray.direction[i] = flushed(ray.direction[i]);
+        if (flushed(ray.origin[i]) == 0.0f) ray.origin[i] *= 0.0f;
+        if (flushed(ray.direction[i]) == 0.0f) ray.direction[i] *= 0.0f;
     }
     return ray;
 }
