@@ -88,7 +88,7 @@ TEST(Coverage, ListsExactlyWhatTheGuardBandsAskFor) {
         const std::string wrong = violation(c);
         met += Listed(c).listed();
         if (wrong.empty()) continue;
-        int& count = failures[wrong.substr(0, 24) + " (" + c.kind + ")"];
+        int& count = failures[wrong.substr(0, 8) + " (" + c.kind + ")"];
         if (++count <= 2) ADD_FAILURE() << wrong << "\n" << describe(c);
     }
     for (const auto& [what, count] : failures) ADD_FAILURE() << count << " times " << what;

@@ -38,7 +38,7 @@ public:
 
 private:
     const char* shape(glm::dvec3 (&p)[3]) {
-        switch (random.below(24)) {
+        switch (random.below(26)) {
         case 0: case 1: return wide(p), "wide exponents";
         case 2: case 3: case 4: return local(p, 10.0), "near the tile";
         case 5: case 6: return local(p, 1e-3), "tiny";
@@ -54,6 +54,7 @@ private:
         case 20: return aroundEye(p), "through or around the eye";
         case 21: return behind(p), "through the eye's plane";
         case 22: return sliver(p), "sliver";
+        case 23: case 24: return pastEye(p), "closely past the eye";
         default: return noise(p), "almost zero coordinates";
         }
     }
@@ -193,6 +194,18 @@ private:
             else
                 v = {random.wide(-6, 0), random.wide(-6, 0), -std::pow(10.0, random.uniform(-6, 0))};
         }
+    }
+    /// Large, and nearer to the eye than its vertices by far: in the tile or beside it.
+    void pastEye(glm::dvec3 (&p)[3]) {
+        const glm::dvec3 near = at(slopes(1), std::ldexp(random.uniform(1, 2), random.range(-30, -4)));
+        glm::dvec3 along, across;
+        for (int i = 0; i < 3; ++i) along[i] = random.uniform(-1, 1), across[i] = random.uniform(-1, 1);
+        if (random.chance(0.3)) along.z = 0;
+        if (random.chance(0.3)) across = at(slopes(1), random.sign());
+        p[0] = near + along * std::pow(10.0, random.uniform(-3, 0));
+        p[1] = near - along * std::pow(10.0, random.uniform(-3, 0));
+        p[2] = random.chance(0.5) ? near + across * std::pow(10.0, random.uniform(-6, 0))
+                                  : across * std::pow(10.0, random.uniform(-3, 0)) - near;
     }
     void sliver(glm::dvec3 (&p)[3]) {
         random.chance(0.5) ? local(p, 100.0) : pastCorner(p);
