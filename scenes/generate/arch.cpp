@@ -16,10 +16,15 @@ constexpr double ringWidth = 0.24; // of the voussoirs, relative to the radius
 Profile voussoirProfile(const Detail& detail, const ArchShape& shape) {
     const double w = ringWidth * shape.radius;
     const double face = shape.thickness / 2;
+    if (!detail.shows(0.115)) {
+        Profile plain({w, -face - 0.01});
+        plain.line({0, -face - 0.01}).line({0, face + 0.03}).line({w, face + 0.03});
+        return plain;
+    }
     Profile profile({w, -face + 0.01});
     profile.line({w, -face - 0.025}).line({0, -face - 0.025});
     profile.line({0, face + 0.02});
-    if (detail.shows(0.6)) {
+    if (detail.shows(0.315)) {
         profile.line({0.36 * w, face + 0.02})
             .line({0.38 * w, face + 0.04})
             .line({0.66 * w, face + 0.04})
@@ -34,10 +39,10 @@ Profile voussoirProfile(const Detail& detail, const ArchShape& shape) {
 
 void addVoussoirs(Mesh& mesh, const ArchShape& shape) {
     const Profile profile = voussoirProfile(mesh.detail(), shape);
-    const bool pillowed = mesh.detail().shows(0.6);
+    const bool pillowed = mesh.detail().shows(0.325);
     int count = shape.voussoirs;
-    if (!mesh.detail().shows(0.4)) {
-        count = shape.voussoirs / 2 | 1;
+    if (!mesh.detail().shows(0.185)) {
+        count = mesh.detail().shows(0.13) ? shape.voussoirs / 2 | 1 : 5;
     }
     const int body = mesh.detail().steps(1);
     const int steps = pillowed ? body + 2 : body;
@@ -57,7 +62,7 @@ void addVoussoirs(Mesh& mesh, const ArchShape& shape) {
                     recess = 0.012;
                 }
             }
-            const Vec3 radial(std::cos(angle), std::sin(angle), 0);
+            const Vec3 radial(-std::cos(angle), std::sin(angle), 0);
             // The joints lie a little deeper than the stones: seen as a groove around each.
             return {radial * (shape.radius + recess), radial, Vec3(0, 0, 1 - 2 * recess),
                     angle * shape.radius + 0.77 * k};
@@ -67,17 +72,13 @@ void addVoussoirs(Mesh& mesh, const ArchShape& shape) {
     }
 }
 
-/// The keystone: a wedge that stands out from the ring on both sides.
+/// The keystone, which stands out from the ring on both sides.
 void addKeystone(Mesh& mesh, const ArchShape& shape) {
-    Mesh wedge(mesh.detail());
     const double w = ringWidth * shape.radius;
-    const double half = shape.thickness / 2 + 0.12;
-    addBlock(wedge, shape.stoneMaterial, {-0.5, -0.02, -half}, {0.5, w + 0.06, half}, 0.012);
-    Mesh shaped(mesh.detail());
-    // A block's unit width becomes a taper by shearing it from two halves' mean: a plain scale is
-    // enough, since the ring beside it hides the flanks.
-    shaped.append(wedge, scaled({0.26 * shape.radius / 1.25, 1, 1}));
-    mesh.append(shaped, place({0, shape.radius, 0}));
+    const double x = 0.105 * shape.radius;
+    const double z = shape.thickness / 2 + 0.12;
+    const double y = shape.radius - 0.02;
+    addBlock(mesh, shape.stoneMaterial, {-x, y, -z}, {x, y + w + 0.08, z}, 0.012);
 }
 
 /// A disc of coloured stone in a moulded ring, where two arches meet.
@@ -86,10 +87,10 @@ void addDisc(Mesh& mesh, const ArchShape& shape, int material, double x) {
     Mesh disc(mesh.detail());
     Profile ring({radius, 0.0});
     ring.bow({radius * 0.8, 0.045}, 0.3).line({radius * 0.76, 0.01});
-    addLathe(disc, shape.stoneMaterial, ring, mesh.detail().steps(20, 6));
+    addLathe(disc, shape.stoneMaterial, ring, mesh.detail().steps(48, 6));
     Profile field({radius * 0.76, 0.012});
     field.spline({{radius * 0.4, 0.035}, {0, 0.045}});
-    addLathe(disc, material, field, mesh.detail().steps(16, 6));
+    addLathe(disc, material, field, mesh.detail().steps(40, 6));
     const Transform toWall(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1); // y becomes z
     mesh.append(disc, place({x, 0.86 * shape.radius, shape.thickness / 2}) * toWall);
 }
@@ -113,25 +114,24 @@ void addSpandrel(Mesh& mesh, int material, double radius, double halfWidth, doub
             const Vec2 p = inner + (outer - inner) * v;
             return {{p.x, p.y, z}, p};
         };
-        mesh.addPatch(material, mesh.detail().steps(zone == 1 ? 8 : 4, 2), mesh.detail().steps(1),
-                      surface, {.flip = !facingBack});
+        mesh.addPatch(material, mesh.detail().steps(zone == 1 ? 8 : 4, zone == 1 ? 2 : 1),
+                      mesh.detail().steps(1), surface, {.flip = !facingBack});
     }
 }
 
-std::function<PathFrame(double)> archPath(double radius, double foot) {
+std::function<PathFrame(double)> archPath(double radius, double foot, int steps) {
     const double arc = pi * radius;
-    const double total = arc + 2 * foot;
+    const double jamb = 1.0 / steps;
     return [=](double u) -> PathFrame {
-        const double walked = u * total;
-        if (walked <= foot) {
-            return {{radius, walked - foot, 0}, {1, 0, 0}, {0, 0, 1}, walked};
+        if (u < jamb * 0.5) {
+            return {{-radius, -foot, 0}, {-1, 0, 0}, {0, 0, 1}, 0};
         }
-        if (walked >= foot + arc) {
-            return {{-radius, foot + arc - walked, 0}, {-1, 0, 0}, {0, 0, 1}, walked};
+        if (u > 1 - jamb * 0.5) {
+            return {{radius, -foot, 0}, {1, 0, 0}, {0, 0, 1}, 2 * foot + arc};
         }
-        const double angle = (walked - foot) / radius;
-        const Vec3 radial(std::cos(angle), std::sin(angle), 0);
-        return {radial * radius, radial, {0, 0, 1}, walked};
+        const double angle = pi * (u - jamb) / (1 - 2 * jamb);
+        const Vec3 radial(-std::cos(angle), std::sin(angle), 0);
+        return {radial * radius, radial, {0, 0, 1}, foot + angle * radius};
     };
 }
 
@@ -144,8 +144,10 @@ Mesh makeArchBay(const Detail& detail, const ArchShape& shape, int discMaterial)
     addSpandrel(mesh, shape.wallMaterial, wallRadius, shape.halfWidth, shape.top,
                 -shape.thickness / 2, true);
     addVoussoirs(mesh, shape);
-    addKeystone(mesh, shape);
-    if (detail.shows(0.3)) {
+    if (detail.shows(0.1)) {
+        addKeystone(mesh, shape);
+    }
+    if (detail.shows(0.16)) {
         addDisc(mesh, shape, discMaterial, shape.halfWidth);
     }
     return mesh;

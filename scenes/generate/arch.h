@@ -26,7 +26,8 @@ void addSpandrel(Mesh& mesh, int material, double radius, double halfWidth, doub
                  bool facingBack = false);
 
 /// Walks up a jamb from `foot` below the springing line, over the arch and down; the profile's x
-/// leads away from the opening, its y towards the viewer.
-std::function<PathFrame(double)> archPath(double radius, double foot);
+/// leads away from the opening, its y towards the viewer. The first and last of `steps` sweep steps
+/// are the jambs, so that the corner at the springing is met exactly.
+std::function<PathFrame(double)> archPath(double radius, double foot, int steps);
 
 } // namespace dirt::generate

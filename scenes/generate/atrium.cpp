@@ -85,7 +85,8 @@ void addArcades(Mesh& mesh) {
     const Mesh rib = makeRib(detail, Limestone, bay / 2, 1.45, 0.4);
     Mesh impost(detail);
     addBlock(impost, Limestone, {-0.37, 0, -0.33}, {0.37, 0.12, 0.33}, 0.012);
-    addBlock(impost, Limestone, {-0.34, 0.12, -0.30}, {0.34, 0.18, 0.30}, 0.008);
+    if (detail.shows(0.125))
+        addBlock(impost, Limestone, {-0.34, 0.12, -0.30}, {0.34, 0.18, 0.30}, 0.008);
     for (const BayPlace& place0 : bays()) {
         const auto& at = place0.transform;
         const auto id = place0.id;
@@ -103,7 +104,8 @@ void addArcades(Mesh& mesh) {
         mesh.append(impost,
                     foot * place({0, upperSpringing - 0.12, 0}) * scaled({0.78, 0.667, 0.8}),
                     quarry(id, 9));
-        mesh.append(rib, foot * place({0, lowerSpringing, -bay / 2}, 90), quarry(id, 10));
+        if (detail.shows(0.11))
+            mesh.append(rib, foot * place({0, lowerSpringing, -bay / 2}, 90), quarry(id, 10));
     }
     for (int corner = 0; corner < 4; ++corner) {
         const double x = corner % 2 == 0 ? halfX : -halfX;
@@ -125,7 +127,9 @@ void addAisles(Mesh& mesh) {
     const Mesh lower[3] = {makeWallBay(detail, BayKind::Niche, bay / 2, lowerHeight),
                            makeWallBay(detail, BayKind::Door, bay / 2, lowerHeight),
                            makeWallBay(detail, BayKind::Plain, bay / 2, lowerHeight)};
-    const Mesh upper[2] = {makeWallBay(detail, BayKind::Window, bay / 2, upperHeight),
+    const Mesh upper[2] = {makeWallBay(detail,
+                                       detail.shows(0.115) ? BayKind::Window : BayKind::Plain,
+                                       bay / 2, upperHeight),
                            makeWallBay(detail, BayKind::Door, bay / 2, upperHeight)};
     const Mesh pilaster = makePilaster(detail, 0.2, 0.12, lowerSpringing - aisleFloor);
     const Mesh upperPilaster = makePilaster(detail, 0.17, 0.1, upperTop - upperFloor - 0.2);
@@ -134,14 +138,15 @@ void addAisles(Mesh& mesh) {
     for (const BayPlace& place0 : bays()) {
         const Transform back = place0.transform * place({0, 0, -bay});
         const bool middle = place0.index == (place0.side % 2 == 1 ? baysAcross : baysAlong) / 2;
-        const int kind = middle ? 1 : place0.index % 2;
+        const int kind = !detail.shows(0.105) ? 2 : middle ? 1 : place0.index % 2;
         mesh.append(lower[kind], back * place({0, aisleFloor, 0}), quarry(place0.id, 11));
         mesh.append(upper[place0.index % 3 == 1 ? 1 : 0], back * place({0, upperFloor, 0}),
                     quarry(place0.id, 12));
         const Transform end = back * place({bay / 2, 0, 0});
         mesh.append(pilaster, end * place({0, aisleFloor, 0}), quarry(place0.id, 13));
-        mesh.append(upperPilaster, end * place({0, upperFloor, 0}), quarry(place0.id, 14));
-        const int joists = detail.shows(0.4) ? 3 : 1;
+        if (detail.shows(0.112))
+            mesh.append(upperPilaster, end * place({0, upperFloor, 0}), quarry(place0.id, 14));
+        const int joists = detail.shows(0.17) ? 3 : 1;
         for (int k = 0; k < joists; ++k) {
             mesh.append(beam, place0.transform * place({bay * ((k + 0.5) / joists - 0.5), 0, 0}),
                         quarry(place0.id, 15));
@@ -190,13 +195,16 @@ void addAisles(Mesh& mesh) {
         const double depth = (side % 2 == 0 ? ox : oz) + 0.4;
         const double half = (side % 2 == 0 ? oz : ox) + 0.4;
         Mesh face(detail);
-        face.addQuad(Plaster, {-half, -0.2, depth}, {half, -0.2, depth}, {half, eaves + 1.2, depth},
-                     {-half, eaves + 1.2, depth});
+        face.addQuad(Plaster, {-half, -0.2, depth}, {half, -0.2, depth},
+                     {half, eaves + 1.46, depth}, {-half, eaves + 1.46, depth});
         mesh.append(face, place({0, 0, 0}, 90.0 + 90.0 * side));
     }
 }
 
 void addBanners(Mesh& mesh) {
+    if (!mesh.detail().shows(0.107)) {
+        return;
+    }
     const int colours[4] = {RedCloth, BlueCloth, OchreCloth, GreenCloth};
     const double face = wall / 2 - 0.15 + 0.02;
     for (const BayPlace& place0 : bays()) {
@@ -209,8 +217,10 @@ void addBanners(Mesh& mesh) {
             const Mesh banner = makeBanner(mesh.detail(), {1.5, length, 0.46 + face, parapet + 0.04,
                                                            colour, GoldTrim, place0.id});
             mesh.append(banner, place0.transform * place({0, upperFloor + parapet + 0.01, 0.155}));
-        } else if (sides ? place0.index == 2 || place0.index == 4 : place0.side == 1) {
-            const int colour = place0.side == 1 ? RedCloth : OchreCloth;
+        } else if (mesh.detail().shows(0.13) &&
+                   (sides ? place0.index == 2 || place0.index == 4 : place0.side == 1)) {
+            const int curtains[4] = {OchreCloth, RedCloth, BlueCloth, RedCloth};
+            const int colour = curtains[place0.side];
             const Mesh curtain = makeCurtain(mesh.detail(), colour, GoldTrim, archRadius - 0.05,
                                              3.5, 1.35, place0.id);
             const Transform at = place0.transform * place({0, aisleFloor + 0.02, -0.12});
@@ -228,6 +238,9 @@ void addPlants(Mesh& mesh) {
     std::uint32_t id = 0;
     for (const double x : {-4.9, 4.9}) {
         for (const double z : {-8.0, -4.8, -1.6, 1.6, 4.8, 8.0}) {
+            if (!mesh.detail().shows(0.118) && std::abs(z) < 4) {
+                continue;
+            }
             const Transform at = place({x, 0, z}, 73.0 * id);
             mesh.append(pot, at, quarry(id, 31));
             if (id % 2 == 0) {
@@ -239,7 +252,7 @@ void addPlants(Mesh& mesh) {
         }
     }
     for (const BayPlace& place0 : bays()) {
-        if (place0.side != 3 && place0.index % 3 == 0) {
+        if (mesh.detail().shows(0.165) && place0.side != 3 && place0.index % 3 == 0) {
             const Mesh ivy = makeHangingIvy(mesh.detail(), 2.0, 2.0, place0.id);
             mesh.append(ivy, place0.transform * place({0, upperFloor + parapet + 0.02, 0.12}));
         }
@@ -256,6 +269,9 @@ Model makeAtrium(const Detail& detail) {
     const Vec2 faces(halfX - wall / 2, halfZ - wall / 2);
     addEntablature(mesh, {faces, lowerTop, upperFloor, 0.46, false});
     addEntablature(mesh, {faces, upperTop, eaves, 0.62, true});
+    Profile soffit({-1.6, eaves - 0.03});
+    soffit.line({0.72, eaves - 0.03});
+    addInnerRing(mesh, Wood, soffit, faces);
     addRoof(mesh, faces - Vec2(0.72), bay + 1.6, eaves + 0.03, 1.5);
     mesh.append(makeCourtFloor(detail, {halfX - 0.5, halfZ - 0.5}), place({0, 0, 0}));
     mesh.append(makeFountain(detail), place({0, 0, 0}));

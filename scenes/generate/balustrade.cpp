@@ -13,9 +13,9 @@ Mesh makeBaluster(const Detail& detail, int material, double height) {
     const double foot = 0.095 * h;
     const double half = 0.125 * h;
     Profile profile({0.115 * h, foot});
-    if (detail.shows(0.5)) {
-        addBlock(mesh, material, {-half, 0, -half}, {half, foot, half}, 0.006);
-        addBlock(mesh, material, {-half, h - foot, -half}, {half, h, half}, 0.006);
+    if (detail.shows(0.30)) {
+        addBlock(mesh, material, {-half, 0, -half}, {half, foot, half}, 0);
+        addBlock(mesh, material, {-half, h - foot, -half}, {half, h, half}, 0);
         profile.bow({0.095 * h, 0.15 * h}, 0.4)
             .spline({{0.05 * h, 0.21 * h},
                      {0.06 * h, 0.27 * h},
@@ -29,11 +29,8 @@ Mesh makeBaluster(const Detail& detail, int material, double height) {
             .bow({0.105 * h, h - foot}, 0.3);
         addLathe(mesh, material, profile, detail.steps(10, 5));
     } else {
-        Profile plain({0.09 * h, 0});
-        plain.line({0.05 * h, 0.2 * h})
-            .line({0.12 * h, 0.42 * h})
-            .line({0.05 * h, 0.75 * h})
-            .line({0.09 * h, h});
+        Profile plain({0.05 * h, 0});
+        plain.line({0.12 * h, 0.4 * h}).line({0.05 * h, h});
         addLathe(mesh, material, plain, 4);
     }
     return mesh;
@@ -58,7 +55,7 @@ Mesh makeBalustrade(const Detail& detail, const BalustradeShape& shape) {
         .line({-0.5 * shape.depth, shape.height - 0.45 * rail})
         .cyma({-0.36 * shape.depth, shape.height - rail}, -0.4);
     const auto path = [&](double u) -> PathFrame {
-        return {{half - u * shape.length, 0, 0}, {0, 0, 1}, {0, 1, 0}, u * shape.length};
+        return {{u * shape.length - half, 0, 0}, {0, 0, 1}, {0, 1, 0}, u * shape.length};
     };
     addSweep(mesh, shape.material, section, path, detail.steps(2));
     const Mesh baluster = makeBaluster(detail, shape.balusterMaterial, shape.height - base - rail);
@@ -74,7 +71,7 @@ Mesh makePedestal(const Detail& detail, int material, double halfWidth, double h
     Mesh mesh(detail);
     Profile profile({halfWidth, 0});
     profile.line({halfWidth, 0.12 * height});
-    if (detail.shows(0.4)) {
+    if (detail.shows(0.19)) {
         profile.cyma({0.86 * halfWidth, 0.18 * height}, -0.4)
             .line({0.86 * halfWidth, 0.84 * height})
             .cyma({halfWidth, 0.91 * height}, 0.4);

@@ -25,7 +25,8 @@ void orientedTriangle(Mesh& mesh, int material, const std::uint32_t* index, cons
 
 void addBlock(Mesh& mesh, int material, Vec3 low, Vec3 high, double bevel, Vec2 texcoordShift) {
     const Vec3 size = high - low;
-    const double inset = mesh.detail().shows(0.45)
+    // Wider bevels show from farther, so they come first.
+    const double inset = bevel > 0 && mesh.detail().shows(0.30 - 4 * bevel)
                              ? std::min({bevel, 0.4 * size.x, 0.4 * size.y, 0.4 * size.z})
                              : 0.0;
     const Vec3 centre = (low + high) * 0.5;

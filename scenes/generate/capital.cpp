@@ -1,6 +1,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/geometric.hpp>
+
+#include "scenes/generate/block.h"
 #include "scenes/generate/column.h"
 #include "scenes/generate/sweep.h"
 
@@ -23,15 +26,19 @@ void addLeaf(Mesh& mesh, int material, double neck, double capital, double heigh
     const auto leaf = [&](double thickness) {
         return [=, &way](double u, double v) -> SurfacePoint {
             const Vec2 p = way.at(v);
-            const double y = p.y * height;
             const double side = 2 * u - 1;
             const double lobes = 1 + 0.16 * std::cos(v * 9 * std::numbers::pi);
             const double taper = v < 0.75 ? 1.0 : 1 - 0.75 * (v - 0.75) / 0.25;
             const double half = 0.5 * width * (0.72 + 0.28 * std::sin(v * 3.0)) * lobes * taper;
             // The midrib stands out, the veins beside it are cut in, and the edges lie back.
             const double carve = 0.05 * std::cos(side * 3 * std::numbers::pi) - 0.07 * side * side;
-            const double radius =
-                bellRadius(neck, y / capital) + neck * (p.x + carve * (0.4 + v)) - thickness;
+            // The back is a shell's thickness behind, square to the leaf's way.
+            const Vec2 ahead = way.at(std::min(1.0, v + 1e-3)) - way.at(std::max(0.0, v - 1e-3));
+            const Vec2 tangent(ahead.x * neck, ahead.y * height);
+            const Vec2 back = Vec2(tangent.y, -tangent.x) * (thickness / glm::length(tangent));
+            const double radius = bellRadius(neck, p.y * height / capital) +
+                                  neck * (p.x + carve * (0.4 + v)) - back.x;
+            const double y = p.y * height - back.y;
             const double angle = -side * half / neck;
             return {{radius * std::cos(angle), y, radius * std::sin(angle)},
                     {side * half, y + v * 0.2}};
@@ -40,8 +47,8 @@ void addLeaf(Mesh& mesh, int material, double neck, double capital, double heigh
     const int columns = mesh.detail().steps(5, 2);
     const int rows = mesh.detail().steps(8, 2);
     mesh.addPatch(material, columns, rows, leaf(0));
-    if (mesh.detail().shows(0.5)) {
-        mesh.addPatch(material, std::max(1, columns / 2), std::max(2, rows / 2), leaf(0.1 * neck),
+    if (mesh.detail().shows(0.32)) {
+        mesh.addPatch(material, std::max(1, columns / 2), std::max(2, rows / 2), leaf(0.05 * neck),
                       {.flip = true});
     }
 }
@@ -112,6 +119,16 @@ void addAbacus(Mesh& mesh, int material, double half, double low, double high) {
 
 Mesh makeCapital(const Detail& detail, int material, double neck, double height) {
     Mesh mesh(detail);
+    const double abacus = 0.86 * height;
+    const int sides = detail.steps(18, 5);
+    if (!detail.shows(0.15)) {
+        Profile bell({neck, 0});
+        bell.line({1.35 * neck, abacus});
+        addLathe(mesh, material, bell, sides);
+        const double half = 1.55 * neck;
+        addBlock(mesh, material, {-half, abacus, -half}, {half, height, half});
+        return mesh;
+    }
     Profile bell({neck, 0});
     bell.bow({neck, 0.07 * height}, 0.5);
     std::vector<Vec2> flare;
@@ -120,23 +137,23 @@ Mesh makeCapital(const Detail& detail, int material, double neck, double height)
         flare.push_back({bellRadius(neck, s), s * height});
     }
     bell.spline(flare);
-    addLathe(mesh, material, bell, detail.steps(16, 6));
-    const double abacus = 0.86 * height;
+    addLathe(mesh, material, bell, sides);
     addAbacus(mesh, material, 1.72 * neck, abacus, height);
-    if (!detail.shows(0.3)) {
-        return mesh;
+    if (detail.shows(0.20)) {
+        Mesh lower(detail);
+        addLeaf(lower, material, neck, height, 0.42 * height, 0.72 * neck);
+        Mesh upper(detail);
+        addLeaf(upper, material, neck, height, 0.70 * height, 0.68 * neck);
+        for (int k = 0; k < 8; ++k) {
+            mesh.append(lower, place({0, 0.06 * height, 0}, 45.0 * k), {0.31 * k, 0.17 * k});
+            mesh.append(upper, place({0, 0.06 * height, 0}, 45.0 * k + 22.5), {0.23 * k, 0.29 * k});
+        }
     }
-    Mesh lower(detail);
-    addLeaf(lower, material, neck, height, 0.42 * height, 0.72 * neck);
-    Mesh upper(detail);
-    addLeaf(upper, material, neck, height, 0.70 * height, 0.68 * neck);
-    const Mesh volute = makeVolute(detail, material, neck, height);
-    for (int k = 0; k < 8; ++k) {
-        mesh.append(lower, place({0, 0.06 * height, 0}, 45.0 * k), {0.31 * k, 0.17 * k});
-        mesh.append(upper, place({0, 0.06 * height, 0}, 45.0 * k + 22.5), {0.23 * k, 0.29 * k});
-    }
-    for (int k = 0; k < 4; ++k) {
-        mesh.append(volute, place({0, 0, 0}, 45.0 + 90.0 * k) * scaled({1, 1, 1.6}));
+    if (detail.shows(0.235)) {
+        const Mesh volute = makeVolute(detail, material, neck, height);
+        for (int k = 0; k < 4; ++k) {
+            mesh.append(volute, place({0, 0, 0}, 45.0 + 90.0 * k) * scaled({1, 1, 1.6}));
+        }
     }
     return mesh;
 }

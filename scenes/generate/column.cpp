@@ -27,9 +27,12 @@ void addBase(Mesh& mesh, const ColumnShape& shape) {
     const double r = shape.radius;
     const double half = 1.4 * r;
     addBlock(mesh, shape.stoneMaterial, {-half, 0, -half}, {half, 0.34 * r, half}, 0.012);
+    if (!mesh.detail().shows(0.12)) {
+        return;
+    }
     Profile profile({1.22 * r, 0.34 * r});
     profile.bow({1.22 * r, 0.58 * r}, 0.5);
-    if (mesh.detail().shows(0.35)) {
+    if (mesh.detail().shows(0.18)) {
         profile.line({1.16 * r, 0.60 * r})
             .spline({{1.06 * r, 0.67 * r}, {1.05 * r, 0.73 * r}, {1.12 * r, 0.78 * r}})
             .line({1.12 * r, 0.80 * r})
@@ -39,13 +42,13 @@ void addBase(Mesh& mesh, const ColumnShape& shape) {
     } else {
         profile.line({r, 1.1 * r});
     }
-    addLathe(mesh, shape.stoneMaterial, profile, mesh.detail().steps(20, 6));
+    addLathe(mesh, shape.stoneMaterial, profile, mesh.detail().steps(24, 5));
 }
 
 void addShaft(Mesh& mesh, const ColumnShape& shape, double low, double high) {
-    const int perFlute = mesh.detail().steps(4);
-    const bool fluted = shape.flutes > 0 && perFlute >= 3;
-    const int sides = fluted ? shape.flutes * perFlute : mesh.detail().steps(28, 6);
+    const int perFlute = mesh.detail().steps(6, 4);
+    const bool fluted = shape.flutes > 0 && mesh.detail().shows(0.30);
+    const int sides = fluted ? shape.flutes * perFlute : mesh.detail().steps(28, 5);
     const int rows = mesh.detail().steps(shape.twist != 0 ? 18 : 8);
     const double length = high - low;
     const auto surface = [&](double u, double v) -> SurfacePoint {
@@ -72,7 +75,7 @@ Mesh makeColumn(const Detail& detail, const ColumnShape& shape) {
     Mesh mesh(detail);
     addBase(mesh, shape);
     const double neck = shape.height - shape.capital;
-    addShaft(mesh, shape, 1.1 * shape.radius, neck);
+    addShaft(mesh, shape, (detail.shows(0.12) ? 1.1 : 0.34) * shape.radius, neck);
     mesh.append(
         makeCapital(detail, shape.stoneMaterial, shape.radius * (1 - topShrink), shape.capital),
         place({0, neck, 0}));

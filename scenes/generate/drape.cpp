@@ -43,7 +43,7 @@ void addCloth(Mesh& mesh, int material, int trim, const Surface& front, double t
                 return face(low + width * u, from + (to - from) * v);
             };
         };
-        const bool twoSided = mesh.detail().shows(0.5);
+        const bool twoSided = mesh.detail().shows(0.29);
         mesh.addPatch(colour, across, rows, part(front, 0, hem), {.flip = true});
         if (twoSided) mesh.addPatch(colour, across, rows, part(back, 0, hem));
         if (middle) {
@@ -52,7 +52,7 @@ void addCloth(Mesh& mesh, int material, int trim, const Surface& front, double t
             if (twoSided) mesh.addPatch(trim, across, hemRows, part(back, hem, 1));
         }
     }
-    if (mesh.detail().shows(0.8)) {
+    if (mesh.detail().shows(0.31)) {
         const auto rim = [&](int side) {
             return [&front, &back, side](double u, double v) {
                 const double s = side == 0 ? 0 : 1;
@@ -91,21 +91,24 @@ Mesh makeBanner(const Detail& detail, const BannerShape& shape) {
         const double fall =
             std::clamp((-p.y - shape.cornice) / (shape.length - shape.cornice), 0.0, 1.0);
         const double loose = std::sqrt(fall) * (0.55 + 0.45 * fall);
-        // Folds run down, drift sideways a little, and two widths of them beat.
-        const double drift = 0.5 * std::sin(2.3 * fall + phase);
-        const double folds = std::sin(turn * (2.6 * u + 0.10 * drift) + phase) * 0.60 +
-                             std::sin(turn * (4.7 * u - 0.13 * drift) + 2.1 * phase) * 0.34 +
-                             std::sin(turn * (1.1 * u + 0.6 * fall) + 3.3 * phase) * 0.35;
-        const double depth = 0.085 * loose;
-        const double narrow = 1 - 0.10 * loose;
-        const double swell =
-            0.07 * std::sin(std::numbers::pi * fall) * std::cos(0.5 * turn * 0.5 * side);
-        const double sag = 0.025 * fall * std::cos(turn * 2.6 * u + phase);
-        return {{0.5 * shape.width * side * narrow + lean * fall, p.y + sag,
-                 p.x + depth * (folds + 0.6) + swell},
+        // Folds run down and drift sideways; narrow ones die out, wide ones grow towards the hem.
+        const double drift =
+            0.35 * std::sin(2.6 * fall + phase) + 0.2 * std::sin(5.1 * fall + 2 * phase);
+        const double wide = std::sin(turn * (2.3 * u + 0.16 * drift) + phase);
+        const double narrow = std::sin(turn * (5.2 * u - 0.20 * drift) + 2.1 * phase);
+        const double twist = std::sin(turn * (0.8 * u + 0.5 * fall) + 3.3 * phase);
+        // Sharper ridges than a sine's: cloth bends in creases.
+        const double folds = 0.75 * std::copysign(std::pow(std::abs(wide), 0.8), wide) +
+                             0.40 * narrow * (1 - 0.5 * fall) + 0.35 * twist;
+        const double depth = 0.02 + 0.17 * loose;
+        const double gather = 1 - 0.16 * loose;
+        const double sway = 0.03 * std::sin(turn * 4.6 * u + phase) * loose;
+        const double hem = 0.03 * fall * wide;
+        return {{0.5 * shape.width * side * gather + lean * fall + sway, p.y + hem,
+                 p.x + depth * (folds + 0.9)},
                 {0.5 * shape.width * side, v * (shape.length + 0.6)}};
     };
-    addCloth(mesh, shape.material, shape.trimMaterial, surface, 0.07, detail.steps(26, 4),
+    addCloth(mesh, shape.material, shape.trimMaterial, surface, 0.07, detail.steps(110, 4),
              detail.steps(34, 6));
     return mesh;
 }

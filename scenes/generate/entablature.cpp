@@ -61,7 +61,7 @@ void addEntablature(Mesh& mesh, const EntablatureShape& shape) {
     const auto y = [&](double s) { return shape.low + s * h; };
     Profile architrave({-0.1, y(0)});
     architrave.line({0.03, y(0)}).line({0.03, y(0.14)});
-    if (mesh.detail().shows(0.5)) {
+    if (mesh.detail().shows(0.26)) {
         architrave.line({0.05, y(0.145)}).line({0.05, y(0.27)}).cyma({0.09, y(0.33)}, 0.4);
     }
     architrave.line({0.09, y(0.36)}).line({0.03, y(0.37)});
@@ -75,12 +75,12 @@ void addEntablature(Mesh& mesh, const EntablatureShape& shape) {
         .line({0.86 * p, y(0.79)})
         .line({0.86 * p, y(0.88)})
         .line({0.89 * p, y(0.885)});
-    if (mesh.detail().shows(0.4)) {
+    if (mesh.detail().shows(0.15)) {
         cornice.cyma({p, y(0.98)}, 0.4);
     }
     cornice.line({p, y(1.0)}).line({-0.6, y(1.0)});
     addInnerRing(mesh, Limestone, cornice, shape.halfExtent);
-    if (!mesh.detail().shows(0.35)) {
+    if (!mesh.detail().shows(0.22)) {
         return;
     }
     if (shape.brackets) {
@@ -90,8 +90,8 @@ void addEntablature(Mesh& mesh, const EntablatureShape& shape) {
         repeatAround(mesh, lifted, shape.halfExtent, 0.4);
     } else {
         Mesh dentil(mesh.detail());
-        addBlock(dentil, Limestone, {-0.045, y(0.67), 0.02}, {0.045, y(0.775), 0.16}, 0.006);
-        repeatAround(mesh, dentil, shape.halfExtent, mesh.detail().shows(0.7) ? 0.16 : 0.32);
+        addBlock(dentil, Limestone, {-0.045, y(0.67), 0.02}, {0.045, y(0.775), 0.16}, 0);
+        repeatAround(mesh, dentil, shape.halfExtent, mesh.detail().shows(0.31) ? 0.16 : 0.32);
     }
 }
 

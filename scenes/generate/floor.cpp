@@ -25,7 +25,7 @@ void layStone(Mesh& mesh, int material, const std::vector<Vec2>& corners, double
     }
     const Vec2 shift(hashUnit(seed, 1) * 7, hashUnit(seed, 2) * 7);
     const double top = y + hashRange(-0.0012, 0.0012, seed, 3);
-    const bool bevelled = mesh.detail().shows(0.7);
+    const bool bevelled = mesh.detail().shows(0.31);
     const auto ring = [&](double inset, double height, double lean) {
         std::vector<std::uint32_t> indices;
         for (const Vec2 corner : corners) {
@@ -119,7 +119,7 @@ Mesh makeCourtFloor(const Detail& detail, Vec2 halfExtent) {
                                   (2 * halfExtent.y - (along + 1) * band) / along);
     const Vec2 half(across * field / 2 + (across + 1) * band / 2,
                     along * field / 2 + (along + 1) * band / 2);
-    const int tiles = detail.shows(0.7) ? 7 : detail.shows(0.4) ? 5 : 3;
+    const int tiles = detail.shows(0.285) ? 7 : detail.shows(0.18) ? 5 : 3;
     const Vec2 start = -half;
     const auto seed = [](int i, int j) {
         return hashBits(77, static_cast<std::uint32_t>(i + 64), static_cast<std::uint32_t>(j + 64));
@@ -129,7 +129,7 @@ Mesh makeCourtFloor(const Detail& detail, Vec2 halfExtent) {
             const Vec2 p = start + Vec2(i, j) * (field + band);
             layRectangle(mesh, RedMarble, p, p + Vec2(band), 0, seed(i, j));
             // Bands are laid in slabs.
-            const int slabs = detail.shows(0.5) ? 5 : 1;
+            const int slabs = detail.shows(0.25) ? 5 : 1;
             for (int k = 0; k < slabs; ++k) {
                 const double a = field * k / slabs;
                 const double b = field * (k + 1) / slabs;
@@ -153,7 +153,7 @@ Mesh makeCourtFloor(const Detail& detail, Vec2 halfExtent) {
             }
         }
     }
-    const int stones = detail.shows(0.5) ? 24 : 4;
+    const int stones = detail.shows(0.25) ? 24 : 4;
     for (int k = 0; k < stones; ++k) {
         const double a = 2.0 * k / stones - 1;
         const double b = 2.0 * (k + 1) / stones - 1;
@@ -168,8 +168,8 @@ Mesh makeCourtFloor(const Detail& detail, Vec2 halfExtent) {
 }
 
 void addPaving(Mesh& mesh, Vec2 low, Vec2 high, double y, double tile) {
-    const double size = mesh.detail().shows(0.6)    ? tile
-                        : mesh.detail().shows(0.35) ? 2 * tile
+    const double size = mesh.detail().shows(0.32)   ? tile
+                        : mesh.detail().shows(0.21) ? 2 * tile
                                                     : 4 * tile;
     const int across = std::max(1, static_cast<int>(std::lround((high.x - low.x) / size)));
     const int along = std::max(1, static_cast<int>(std::lround((high.y - low.y) / size)));

@@ -21,7 +21,7 @@ void addWater(Mesh& mesh, double radius, double y, int rings) {
         const Vec3 p(r * std::cos(angle), y + (v < 1 ? ripple : 0), r * std::sin(angle));
         return {p, {p.x, p.z}};
     };
-    mesh.addPatch(Water, mesh.detail().steps(24, 8), mesh.detail().steps(rings, 2), surface,
+    mesh.addPatch(Water, mesh.detail().steps(100, 8), mesh.detail().steps(rings, 2), surface,
                   {.wrapU = true, .flip = true});
 }
 
@@ -40,13 +40,13 @@ void addBowl(Mesh& mesh, double foot, double rim, double low, double high) {
         const double r = p.x * (1 + 0.05 * lobe * std::sin(std::numbers::pi * v));
         return {{r * std::cos(angle), p.y, r * std::sin(angle)}, {u * turn * rim, v * rim}};
     };
-    const int sides = mesh.detail().shows(0.6) ? petals * mesh.detail().steps(4, 3) : 12;
+    const int sides = mesh.detail().shows(0.24) ? petals * mesh.detail().steps(4, 3) : 12;
     mesh.addPatch(WhiteMarble, sides, mesh.detail().steps(8, 3), surface, {.wrapU = true});
     Profile lip({0.97 * rim, low + 0.86 * (high - low)});
     lip.bow({rim, high}, 0.35)
         .line({0.93 * rim, high})
         .spline({{0.88 * rim, high - 0.05}, {0.6 * rim, high - 0.12}, {0.05, high - 0.15}});
-    addLathe(mesh, WhiteMarble, lip, mesh.detail().steps(40, 10));
+    addLathe(mesh, WhiteMarble, lip, mesh.detail().steps(100, 8));
     addWater(mesh, 0.9 * rim, high - 0.035, 6);
 }
 
@@ -97,17 +97,17 @@ Mesh makeFountain(const Detail& detail) {
         .spline(
             {{0.17, 1.16}, {0.15, 1.26}, {0.24, 1.42}, {0.25, 1.52}, {0.15, 1.70}, {0.16, 1.78}})
         .bow({0.2, 1.84}, 0.5);
-    addLathe(mesh, WhiteMarble, stem, detail.steps(28, 8));
+    addLathe(mesh, WhiteMarble, stem, detail.steps(72, 6));
     addBowl(mesh, 0.2, 0.92, 1.84, 2.12);
     Profile upper({0.17, 1.98});
     upper.spline(
         {{0.10, 2.12}, {0.08, 2.2}, {0.13, 2.34}, {0.13, 2.42}, {0.07, 2.52}, {0.08, 2.6}});
-    addLathe(mesh, WhiteMarble, upper, detail.steps(20, 6));
+    addLathe(mesh, WhiteMarble, upper, detail.steps(48, 5));
     addBowl(mesh, 0.08, 0.46, 2.6, 2.77);
     Profile finial({0.09, 2.66});
     finial.spline(
         {{0.06, 2.78}, {0.045, 2.83}, {0.09, 2.91}, {0.10, 2.98}, {0.06, 3.07}, {0.0, 3.13}});
-    addLathe(mesh, Bronze, finial, detail.steps(20, 6));
+    addLathe(mesh, Bronze, finial, detail.steps(48, 5));
     return mesh;
 }
 

@@ -44,27 +44,28 @@ void addFrame(Mesh& mesh, const Opening& opening, double halfWidth, double heigh
     }
     Profile section({0, -opening.depth});
     section.line({0, 0.05});
-    if (mesh.detail().shows(0.5)) {
+    if (mesh.detail().shows(0.26)) {
         section.line({0.08, 0.05}).line({0.09, 0.07}).cyma({0.16, 0.10}, -0.4);
     }
     section.line({0.18, 0.10}).line({0.18, -0.01});
     Mesh moulding(mesh.detail());
-    addSweep(moulding, Limestone, section, archPath(r, opening.springing - opening.sill),
-             mesh.detail().steps(20, 6));
+    const int steps = mesh.detail().steps(40, 5);
+    addSweep(moulding, Limestone, section, archPath(r, opening.springing - opening.sill, steps),
+             steps);
     mesh.append(moulding, place({0, opening.springing, 0}));
 }
 
 /// A half cylinder under a quarter sphere, ribbed like a shell.
 void addNicheHollow(Mesh& mesh, const Opening& opening) {
     const double r = opening.radius;
-    const int around = mesh.detail().steps(18, 4);
+    const int around = mesh.detail().steps(30, 4);
     mesh.addPatch(Limestone, around, mesh.detail().steps(3), [&](double u, double v) {
         const double angle = pi * u;
         const double y = opening.sill + (opening.springing - opening.sill) * v;
         return SurfacePoint{{-r * std::cos(angle), y, -0.05 - r * std::sin(angle)}, {angle * r, y}};
     });
     mesh.addPatch(
-        Limestone, mesh.detail().shows(0.6) ? 2 * around : around, mesh.detail().steps(8, 3),
+        Limestone, mesh.detail().shows(0.36) ? 2 * around : around, mesh.detail().steps(8, 3),
         [&](double u, double v) {
             const double angle = pi * u;
             const double polar = 0.5 * pi * v;
@@ -82,7 +83,9 @@ void addNicheHollow(Mesh& mesh, const Opening& opening) {
                                           {r * std::cos(angle), v}};
                   },
                   {.flip = true});
-    mesh.append(makeUrn(mesh.detail(), 1.15), place({0, opening.sill, -0.18}));
+    if (mesh.detail().shows(0.125)) {
+        mesh.append(makeUrn(mesh.detail(), 1.15), place({0, opening.sill, -0.18}));
+    }
 }
 
 /// Two leaves with sunk panels, and a lunette with bars.
@@ -92,23 +95,31 @@ void addDoorLeaves(Mesh& mesh, const Opening& opening) {
     const double height = opening.springing - opening.sill;
     mesh.addQuad(Wood, {-r, opening.sill, z - 0.05}, {r, opening.sill, z - 0.05},
                  {r, opening.springing + r, z - 0.05}, {-r, opening.springing + r, z - 0.05});
+    if (!mesh.detail().shows(0.14)) {
+        return;
+    }
     for (int side = -1; side <= 1; side += 2) {
         const double x0 = side < 0 ? -r : 0.006;
         const double x1 = side < 0 ? -0.006 : r;
         const double w = x1 - x0;
         const double shift = 3.1 * side;
         const double stile = 0.16 * w;
-        addBlock(mesh, Wood, {x0, opening.sill, z - 0.04}, {x0 + stile, opening.springing, z},
-                 0.008, {shift, 0});
-        addBlock(mesh, Wood, {x1 - stile, opening.sill, z - 0.04}, {x1, opening.springing, z},
-                 0.008, {shift + 1, 0});
-        for (int k = 0; k < 4; ++k) {
+        addBlock(mesh, Wood, {x0, opening.sill, z - 0.04}, {x0 + stile, opening.springing, z}, 0,
+                 {shift, 0});
+        addBlock(mesh, Wood, {x1 - stile, opening.sill, z - 0.04}, {x1, opening.springing, z}, 0,
+                 {shift + 1, 0});
+        for (int k = 0; k < 4 && mesh.detail().shows(0.155); ++k) {
             const double y0 = opening.sill + height * k / 4.0;
-            addBlock(mesh, Wood, {x0 + stile, y0 - 0.05, z - 0.04},
-                     {x1 - stile, y0 + 0.05, z - 0.003}, 0.008, {shift, 1.7 * k});
             addBlock(mesh, Wood, {x0 + stile + 0.05, y0 + 0.1, z - 0.045},
                      {x1 - stile - 0.05, y0 + height / 4 - 0.1, z - 0.012}, 0.025,
                      {shift + 0.5, 2.3 * k});
+            if (mesh.detail().shows(0.175)) {
+                addBlock(mesh, Wood, {x0 + stile, y0 - 0.05, z - 0.04},
+                         {x1 - stile, y0 + 0.05, z - 0.003}, 0, {shift, 1.7 * k});
+            }
+        }
+        if (!mesh.detail().shows(0.23)) {
+            continue;
         }
         Profile knob({0.045, 0.0});
         knob.line({0.035, 0.01})
@@ -121,7 +132,7 @@ void addDoorLeaves(Mesh& mesh, const Opening& opening) {
     }
     addBlock(mesh, Wood, {-r, opening.springing - 0.07, z - 0.04},
              {r, opening.springing + 0.07, z + 0.03}, 0.01);
-    const int bars = mesh.detail().shows(0.5) ? 5 : 0;
+    const int bars = mesh.detail().shows(0.27) ? 5 : 0;
     for (int k = 1; k <= bars; ++k) {
         const double angle = pi * k / (bars + 1);
         const Vec3 end(r * std::cos(angle), opening.springing + r * std::sin(angle), z);
@@ -150,7 +161,7 @@ Mesh makeUrn(const Detail& detail, double height) {
         .bow({0.17 * h, 0.90 * h}, 0.3)
         .line({0.17 * h, 0.92 * h})
         .spline({{0.10 * h, 0.95 * h}, {0.04 * h, 0.97 * h}, {0.04 * h, 1.0 * h}, {0.0, 1.03 * h}});
-    addLathe(mesh, WhiteMarble, urn, detail.steps(22, 6));
+    addLathe(mesh, WhiteMarble, urn, detail.steps(40, 5));
     return mesh;
 }
 
@@ -185,13 +196,17 @@ Mesh makeWallBay(const Detail& detail, BayKind kind, double halfWidth, double he
 Mesh makePilaster(const Detail& detail, double halfWidth, double depth, double height) {
     Mesh mesh(detail);
     const double w = halfWidth;
-    addBlock(mesh, Limestone, {-1.2 * w, 0, -0.05}, {1.2 * w, 0.3, depth * 1.4}, 0.012);
+    if (!detail.shows(0.17)) {
+        addBlock(mesh, Limestone, {-w, 0, -0.05}, {w, height, depth});
+        return mesh;
+    }
+    addBlock(mesh, Limestone, {-1.2 * w, 0, -0.05}, {1.2 * w, 0.3, depth * 1.4}, 0);
     addBlock(mesh, Limestone, {-w, 0.3, -0.05}, {w, height - 0.28, depth}, 0.008, {0.7, 0.2});
     addBlock(mesh, Limestone, {-1.1 * w, height - 0.28, -0.05},
-             {1.1 * w, height - 0.2, depth * 1.2}, 0.01);
+             {1.1 * w, height - 0.2, depth * 1.2}, 0);
     addBlock(mesh, Limestone, {-1.25 * w, height - 0.12, -0.05}, {1.25 * w, height, depth * 1.5},
              0.012);
-    addBlock(mesh, Limestone, {-w, height - 0.2, -0.05}, {w, height - 0.12, depth}, 0.006);
+    addBlock(mesh, Limestone, {-w, height - 0.2, -0.05}, {w, height - 0.12, depth}, 0);
     return mesh;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
+#include <future>
 #include <stdexcept>
 #include <system_error>
 
@@ -186,11 +187,20 @@ std::vector<fs::path> writeModel(const Model& model, const std::string& name,
         paths.push_back(directory / file);
         replaceFile(paths.back(), writer);
     };
+    // Painting takes longest, and no two textures depend on one another.
+    std::vector<std::future<void>> painters;
     for (const MaterialRecipe& material : model.materials) {
         if (material.texture.paint) {
-            write(textureName(name, material),
-                  [&](const fs::path& path) { writeTexture(material.texture, path); });
+            paths.push_back(directory / textureName(name, material));
+            painters.push_back(std::async(std::launch::async, [&material, path = paths.back()] {
+                replaceFile(path, [&](const fs::path& partial) {
+                    writeTexture(material.texture, partial);
+                });
+            }));
         }
+    }
+    for (auto& painter : painters) {
+        painter.get();
     }
     write(name + ".mtl", [&](const fs::path& path) { writeMtl(model, name, path); });
     write(name + ".obj", [&](const fs::path& path) { writeObj(model, name, path); });

@@ -90,7 +90,7 @@ TextureRecipe braid() {
                     std::sin(turn * (16 * p.y + 8 * std::abs(std::sin(turn * 2 * p.x)) / 8));
                 const double rope = std::sin(turn * (24 * p.x)) * 0.5 + 0.5 * twist;
                 const Colour colour =
-                    glm::mix(rgb(0x8F6420), rgb(0xE2B95A), smoothStep(-1, 1, rope));
+                    glm::mix(rgb(0x94702F), rgb(0xE4C684), smoothStep(-1, 1, rope));
                 return colour * (1 + 0.06 * fractalNoise(p, 32, 2, 61));
             }};
 }

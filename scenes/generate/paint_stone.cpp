@@ -63,7 +63,7 @@ TextureRecipe limestone(int courses) {
 }
 
 TextureRecipe marble(Colour light, Colour dark, Colour vein, int scale, std::uint32_t seed) {
-    return {1024, [=](Vec2 p) {
+    return {512, [=](Vec2 p) {
                 const Vec2 warp(fractalNoise(p, scale, 5, seed + 1),
                                 fractalNoise(p, scale, 5, seed + 2));
                 const double clouds = fractalNoise(p + warp * (0.25 / scale), scale, 5, seed + 3);

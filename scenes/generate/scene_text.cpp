@@ -10,14 +10,14 @@ namespace {
 // shade, and what it lights on the right lights the left again.
 constexpr std::string_view atrium = R"(<?xml version="1.0" encoding="utf-8"?>
 
-<world background="0.62 0.86 1.25" ambient="0 0 0" microfacet_model="ggx">
+<world background="1.5 1.9 2.5" ambient="0 0 0" microfacet_model="ggx">
 
     <tracing faces="cubemap" indirect_bounces="2" accurate_visibility="true"/>
 
     <camera name="first_person" aperture="62" near="0.1" far="120" follow="default_user" primary="true"/>
 
-    <light name="sun" type="spotlight" shadows="on" active="true" flux="16000" color="1 0.9 0.74"
-        position="-34 52 26" target="1.5 3 -2" conical="true" aperture="42" penumbra="36"
+    <light name="sun" type="spotlight" shadows="on" active="true" flux="20000" color="1 0.9 0.74"
+        position="-22 60 24" target="1.5 3 -2" conical="true" aperture="42" penumbra="36"
         spotlight_exponent="1.0" resolution="4096" near_range="20" far_range="120"
         soft_shadow_size="0.05" constant_bias="0.0005"/>
 
@@ -26,9 +26,9 @@ constexpr std::string_view atrium = R"(<?xml version="1.0" encoding="utf-8"?>
     </transformation>
 
     <user name="default_user" control="roaming" linear_speed="2" angular_speed="1"
-        position="-1.6 2.5 9.9" target="0.5 4.2 -3"/>
+        position="-1.4 2.8 10.3" target="0.3 4.1 -3"/>
 
-    <tonemapping name="tone" key="1" white="3 3 3" auto="0" active="1"/>
+    <tonemapping name="tone" key="1.5" white="4 4 4" auto="0" active="1"/>
 
 </world>
 )";

@@ -18,7 +18,7 @@ Mesh makeGroinVault(const Detail& detail, int material, double halfWidth, double
         const double z = halfWidth * std::sin(edge);
         return {{x, rise * std::cos(angle), z}, {angle * halfWidth, z}};
     };
-    web.addPatch(material, detail.steps(8, 2), detail.steps(4, 1), surface);
+    web.addPatch(material, detail.steps(22, 2), detail.steps(11, 1), surface);
     for (int k = 0; k < 4; ++k) {
         mesh.append(web, place({0, 0, 0}, 90.0 * k), {0.5 * k, 0.25 * k});
     }
@@ -31,13 +31,13 @@ Mesh makeRib(const Detail& detail, int material, double halfSpan, double rise, d
     section.line({0, -width / 2}).line({0, width / 2}).line({0.16, width / 2});
     const auto path = [&](double u) -> PathFrame {
         const double angle = std::numbers::pi * u;
-        const Vec3 radial(std::cos(angle), std::sin(angle), 0);
+        const Vec3 radial(-std::cos(angle), std::sin(angle), 0);
         return {{(halfSpan - 0.1) * radial.x, (rise - 0.1) * radial.y, 0},
                 radial,
                 {0, 0, 1},
                 angle * halfSpan};
     };
-    addSweep(mesh, material, section, path, detail.steps(14, 4));
+    addSweep(mesh, material, section, path, detail.steps(36, 4));
     return mesh;
 }
 

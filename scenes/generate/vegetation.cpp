@@ -37,8 +37,8 @@ void addLeaf(Mesh& mesh, int material, Vec3 root, Vec3 along, Vec3 up, double le
     };
     // Grows slowly: more leaves matter more than finer ones.
     const int rows =
-        std::max(2, static_cast<int>(std::lround(3 * std::sqrt(mesh.detail().quality))));
-    mesh.addPatch(material, 2, rows, surface, {.flip = true});
+        std::max(1, static_cast<int>(std::lround(3 * std::sqrt(mesh.detail().quality))));
+    mesh.addPatch(material, 2, rows, surface);
 }
 
 } // namespace
@@ -73,7 +73,7 @@ Mesh makeLemonTree(const Detail& detail, std::uint32_t seed) {
         mesh, Bark, stem, [](double t) { return 0.032 - 0.012 * t; }, detail.steps(8, 2),
         detail.steps(8, 4));
     const double radius = 0.55;
-    const int branches = detail.number(14, 3);
+    const int branches = detail.number(14, 2);
     for (int k = 0; k < branches; ++k) {
         const Vec3 tip =
             crown + unitVector(seed + 5, static_cast<std::uint32_t>(k)) * (0.8 * radius);
@@ -85,8 +85,8 @@ Mesh makeLemonTree(const Detail& detail, std::uint32_t seed) {
     }
     // Leaves sit in a shell, drawn together into clumps, and look outwards and up to the light.
     const int leaves =
-        std::max(24, static_cast<int>(std::lround(560 * std::pow(detail.quality, 1.7))));
-    const double size = 0.115 * std::pow(std::clamp(560.0 / leaves, 0.2, 12.0), 0.42);
+        std::max(12, static_cast<int>(std::lround(1500 * std::pow(detail.quality, 1.6))));
+    const double size = 0.15 * std::pow(std::clamp(420.0 / leaves, 0.1, 30.0), 0.42);
     for (int k = 0; k < leaves; ++k) {
         const auto id = static_cast<std::uint32_t>(k);
         const Vec3 clump = unitVector(seed + 5, id % 40u);
@@ -132,7 +132,7 @@ Mesh makeAgave(const Detail& detail, std::uint32_t seed) {
                         Vec3(0, rise + gutter, 0),
                     {u, v}};
         };
-        mesh.addPatch(Leaf, 2, detail.steps(8, 3), surface);
+        mesh.addPatch(Leaf, 2, detail.steps(8, 3), surface, {.flip = true});
     }
     return mesh;
 }
@@ -154,9 +154,9 @@ Mesh makeHangingIvy(const Detail& detail, double width, double length, std::uint
         };
         addTube(
             mesh, Bark, path, [](double t) { return 0.006 * (1.1 - t); }, detail.steps(8, 2), 4);
-        const double wanted = reach * 42 * std::pow(detail.quality, 1.4);
+        const double wanted = reach * 60 * std::pow(detail.quality, 1.4);
         const int leaves = std::max(3, static_cast<int>(std::lround(wanted)));
-        const double size = 0.085 * std::pow(std::clamp(reach * 42 / leaves, 0.3, 8.0), 0.4);
+        const double size = 0.10 * std::pow(std::clamp(reach * 20 / leaves, 0.3, 8.0), 0.4);
         for (int k = 0; k < leaves; ++k) {
             const auto leaf = hashBits(seed, id, static_cast<std::uint32_t>(k));
             const double t = (k + hashUnit(leaf, 1)) / leaves;
