@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
     program.get_formatter()->column_width(36);
 
     int status = kDone;
+    addRender(program, status);
     addInfo(program, status);
     addGenerate(program, status);
 
