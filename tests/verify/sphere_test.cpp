@@ -5,6 +5,7 @@
 #include "backend_cpu/thread_pool.h"
 #include "core/verify/random.h"
 #include "core/verify/verify.h"
+#include "tests/support/random.h"
 #include "tests/verify/sphere.h"
 
 #ifdef DIRT_HAVE_EMBREE
@@ -12,7 +13,6 @@
 #endif
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using namespace dirt;
 
 namespace {
 
-const uint32_t kRays = std::getenv("DIRT_TEST_FULL") ? 1'000'000 : 100'000;
+const uint32_t kRays = (uint32_t) test::cases(100'000, 1'000'000);
 
 enum class Aim { anywhere, edge, vertex };
 constexpr const char* kAimNames[] = {"random", "edge-aimed", "vertex-aimed"};
