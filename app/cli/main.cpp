@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
 
     int status = kDone;
     addRender(program, status);
+    addVerify(program, status);
     addInfo(program, status);
     addGenerate(program, status);
 
