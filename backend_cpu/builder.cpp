@@ -56,7 +56,8 @@ void GridBuilder::fillDepthMipmap(Grid& grid) {
                        [&](size_t view, size_t) { buildPyramid(grid.pyramids[view]); });
 }
 
-void GridBuilder::fillPrimitives(Grid& grid) {
+void GridBuilder::fillPrimitives(const FrameGeometry& geometry, Grid& grid) {
+    grid.atEye = trianglesAtEye(geometry);
     countEntries(grid);
     sumHeads(grid);
     placeEntries(grid);

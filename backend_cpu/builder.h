@@ -25,7 +25,7 @@ public:
     /// Depth pyramid of every view.
     void fillDepthMipmap(Grid& grid);
     /// The id buffer, from the fragments of fillDepth and the depth bounds in \p grid.
-    void fillPrimitives(Grid& grid);
+    void fillPrimitives(const FrameGeometry& geometry, Grid& grid);
 
 private:
     void countEntries(Grid& grid);

@@ -33,7 +33,7 @@ void CpuBackend::build(const FrameGeometry& geometry, const Camera& camera,
     timed("Clear", [&] { grid_ = makeEmptyGrid(camera, settings); });
     timed("FillDepth", [&] { builder_.fillDepth(geometry, grid_); });
     timed("FillDepthMipmap", [&] { builder_.fillDepthMipmap(grid_); });
-    timed("FillPrimitives", [&] { builder_.fillPrimitives(grid_); });
+    timed("FillPrimitives", [&] { builder_.fillPrimitives(geometry, grid_); });
 }
 
 void CpuBackend::trace(std::span<const Ray> rays, std::span<Hit> hits) {

@@ -88,7 +88,7 @@ void passTrace(const FrameContext& frame, int event, PathBuffers& paths) {
     if (event == 0 || !frame.view) return;
     frame.executor.forRange(paths.rays.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
-            if (paths.hits[i].t > frame.view->exit(paths.rays[i])) paths.hits[i] = Hit{};
+            if (!frame.view->part(paths.rays[i]).holds(paths.hits[i].t)) paths.hits[i] = Hit{};
     });
 }
 
@@ -125,7 +125,7 @@ void passVisibility(const FrameContext& frame, PathBuffers& paths) {
             Ray ray = leavingRay(frame.geometry, paths.hits[i], paths.directions[i]);
             ray.direction = frame.light->position() - ray.origin;
             paths.shadowRays[s] = ray;
-            paths.shadowMaxT[s] = frame.view ? std::min(frame.view->exit(ray), 1.0f) : 1.0f;
+            paths.shadowMaxT[s] = frame.view ? std::min(frame.view->part(ray).end, 1.0f) : 1.0f;
         }
     });
     frame.backend.occluded(paths.shadowRays, paths.shadowMaxT, paths.occluded);

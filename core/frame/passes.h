@@ -6,7 +6,7 @@
 #include "core/frame/settings.h"
 #include "core/path/camera_rays.h"
 #include "core/path/spotlight.h"
-#include "core/path/view_cone.h"
+#include "core/trace/view_cone.h"
 #include "core/scene/scene.h"
 
 #include <cstdint>

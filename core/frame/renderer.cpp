@@ -98,7 +98,7 @@ RenderResult Renderer::render(const RenderHooks& hooks) {
                          .camera = {scene_.camera, grid.width, grid.height, grid.mode},
                          .light = {},
                          .view = {}};
-    if (grid.mode == ViewMode::single) context.view.emplace(scene_.camera, grid.width, grid.height);
+    if (grid.mode == ViewMode::single) context.view.emplace(makeViews(grid, scene_.camera).front());
     if (!scene_.lights.empty()) context.light.emplace(scene_.lights.front(), geometry.frame);
 
     result.image = {grid.width, grid.height,

@@ -1,11 +1,14 @@
 #include "core/grid/grid.h"
 
 #include "core/grid/denormals.h"
+#include "core/grid/exact_sum.h"
 #include "core/grid/scan.h"
 #include "core/io/error.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace dirt {
 
@@ -18,6 +21,31 @@ BinMap::BinMap(const DepthBounds& bounds, int bins) : near(bounds.near), bins(bi
 int BinMap::operator()(float w) const {
     const float bin = (w - near) * scale;
     return (int) std::min(std::max(bin, 0.0f), (float) (bins - 1));
+}
+
+bool holdsEye(const Triangle& t) {
+    for (int i = 0; i < 3; ++i) {
+        if (t.a[i] > 0.0f && t.b[i] > 0.0f && t.c[i] > 0.0f) return false;
+        if (t.a[i] < 0.0f && t.b[i] < 0.0f && t.c[i] < 0.0f) return false;
+    }
+    if (tripleProductExact(t.a, t.b, t.c) != 0.0) return false;
+    // In the plane of the eye the edge normals are parallel; around the eye they point to the same
+    // side. Their components have one rounding each, so signs are exact.
+    const glm::dvec3 a(t.a), b(t.b), c(t.c);
+    const glm::dvec3 ab = glm::cross(a, b), bc = glm::cross(b, c), ca = glm::cross(c, a);
+    for (int i = 0; i < 3; ++i) {
+        const bool positive = ab[i] > 0.0 || bc[i] > 0.0 || ca[i] > 0.0;
+        const bool negative = ab[i] < 0.0 || bc[i] < 0.0 || ca[i] < 0.0;
+        if (positive && negative) return false;
+    }
+    return true;
+}
+
+std::vector<uint32_t> trianglesAtEye(const FrameGeometry& geometry) {
+    std::vector<uint32_t> ids;
+    for (uint32_t id = 0; id < geometry.triangles.size(); ++id)
+        if (holdsEye(geometry.triangles[id])) ids.push_back(id);
+    return ids;
 }
 
 void buildPyramid(DepthPyramid& pyramid) {
@@ -73,6 +101,8 @@ Grid buildGrid(const FrameGeometry& geometry, const Camera& camera, const GridSe
 
     // FillDepthMipmap
     for (DepthPyramid& pyramid : grid.pyramids) buildPyramid(pyramid);
+
+    grid.atEye = trianglesAtEye(geometry);
 
     // FillPrimitives: count, then fill; ids come in order, so every list is sorted.
     const auto forEachEntry = [&](auto&& visit) {

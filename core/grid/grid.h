@@ -54,6 +54,9 @@ struct Grid {
     std::vector<uint32_t> heads; ///< cells + 1
     std::vector<uint32_t> ids;
 
+    /// Triangles that hold the eye, in increasing order: a point of rays that is in no tile.
+    std::vector<uint32_t> atEye;
+
     /// First tile of each view in the numbering over all views (views + 1 entries).
     std::vector<uint32_t> firstTile;
 
@@ -79,6 +82,13 @@ Grid makeEmptyGrid(const Camera& camera, const GridSettings& settings);
 
 /// Throws InputError where a list entry could not be addressed with 32 bits.
 void checkEntryCount(uint64_t entries);
+
+/// Whether the closed triangle holds the eye, exactly. (One without area may be taken for one that
+/// does; no ray hits it.)
+bool holdsEye(const Triangle& triangle);
+
+/// The ids of all triangles that hold the eye.
+std::vector<uint32_t> trianglesAtEye(const FrameGeometry& geometry);
 
 /// FillDepthMipmap for one view: the levels above the tiles' bounds.
 void buildPyramid(DepthPyramid& pyramid);

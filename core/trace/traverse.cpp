@@ -3,11 +3,15 @@
 #include "core/grid/denormals.h"
 #include "core/trace/intersect.h"
 #include "core/trace/ray_filter.h"
+#include "core/trace/view_cone.h"
 #include "core/trace/view_walk.h"
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <limits>
+
+#include <glm/geometric.hpp>
 
 namespace dirt {
 namespace {
@@ -94,6 +98,18 @@ bool isNearer(const TriangleHit& candidate, uint32_t id, const Hit& best) {
     return !best.found() || candidate.t < best.t || (candidate.t == best.t && id < best.primitive);
 }
 
+/// Where a ray may hit something: everywhere in full mode, up to the view's border in single mode.
+ViewCone::Part seenPart(const Grid& grid, const Ray& ray) {
+    if (grid.settings.mode == ViewMode::full) return {0.0f, FLT_MAX};
+    return ViewCone(grid.views[0]).part(ray);
+}
+
+/// Whether the line of a ray passes through the eye, exactly: each component of origin × direction
+/// is a difference of exact products, rounded once.
+bool passesEye(const Ray& ray) {
+    return glm::cross(glm::dvec3(ray.origin), glm::dvec3(ray.direction)) == glm::dvec3(0.0);
+}
+
 /// The ray without denormals, which backends may or may not flush.
 Ray flushedRay(Ray ray) {
     for (int i = 0; i < 3; ++i) {
@@ -111,36 +127,46 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
     const Ray ray = flushedRay(given);
     if (!isTraceable(ray)) return best;
     const RayFilter filter(ray);
+    const ViewCone::Part seen = seenPart(grid, ray);
     TraversalCounts local;
     double limit = kInfinity;
-    bool located = false; // best.view and best.tile hold best.t
 
+    // Tests one triangle. True if it is the best hit, now or from before.
+    const auto test = [&](uint32_t id) {
+        ++local.tests;
+        const Triangle& triangle = geometry.triangles[id];
+        TriangleHit candidate;
+        if (filter.certainlyMisses(triangle) || !intersect(ray, triangle, candidate)) return false;
+        if (best.primitive == id) return true;
+        if (!isNearer(candidate, id, best) || !seen.holds(candidate.t) ||
+            isSkipped(geometry, ray, id))
+            return false;
+        best = {id, candidate.t, candidate.u, candidate.v, 0, 0};
+        limit = upperBound(candidate.t);
+        return true;
+    };
+
+    if (!grid.atEye.empty() && passesEye(ray))
+        for (uint32_t id : grid.atEye) test(id);
+
+    bool located = false; // best.view and best.tile hold best.t
     walkViews(grid, ray, limit, local.steps, [&](const TileVisit& visit) {
         ++local.tiles;
         BinRange bins(grid, ray, visit, limit);
         for (int b = bins.first; bins.contains(b); b += bins.step) {
             ++local.bins;
             for (uint32_t id : grid.list(visit.view, visit.tile, b)) {
-                ++local.tests;
-                const Triangle& triangle = geometry.triangles[id];
-                TriangleHit candidate;
-                if (filter.certainlyMisses(triangle) || !intersect(ray, triangle, candidate))
-                    continue;
-                const bool again = best.primitive == id;
-                if (!again && !isNearer(candidate, id, best)) continue;
-                if (isSkipped(geometry, ray, id)) continue;
-                if (!again) {
-                    best = {id, candidate.t, candidate.u, candidate.v, 0, 0};
-                    limit = upperBound(candidate.t);
+                const uint32_t before = best.primitive;
+                if (!test(id)) continue;
+                if (best.primitive != before) {
                     bins.shorten(limit);
                     located = false;
                 }
                 // The record belongs to the tile in which the hit lies, among those that list it.
-                const bool inside = visit.begin <= limit && lowerBound(candidate.t) <= visit.end;
                 if (!located) {
                     best.view = (uint32_t) visit.view;
                     best.tile = (uint32_t) visit.tile;
-                    located = inside;
+                    located = visit.begin <= limit && lowerBound(best.t) <= visit.end;
                 }
             }
         }
@@ -154,26 +180,33 @@ bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given, f
     const Ray ray = flushedRay(given);
     if (!isTraceable(ray) || !(maxT > 0.0f)) return false;
     const RayFilter filter(ray);
+    const ViewCone::Part seen = seenPart(grid, ray);
     TraversalCounts local;
     double limit = upperBound(maxT);
     bool found = false;
 
+    const auto test = [&](uint32_t id) {
+        ++local.tests;
+        const Triangle& triangle = geometry.triangles[id];
+        TriangleHit candidate;
+        if (!filter.certainlyMisses(triangle) && intersect(ray, triangle, candidate) &&
+            candidate.t < maxT && seen.holds(candidate.t) && !isSkipped(geometry, ray, id)) {
+            found = true;
+            limit = -1.0; // ends the walk
+        }
+        return found;
+    };
+
+    if (!grid.atEye.empty() && passesEye(ray))
+        for (uint32_t id : grid.atEye)
+            if (test(id)) break;
     walkViews(grid, ray, limit, local.steps, [&](const TileVisit& visit) {
         ++local.tiles;
         const BinRange bins(grid, ray, visit, limit);
         for (int b = bins.first; !found && bins.contains(b); b += bins.step) {
             ++local.bins;
-            for (uint32_t id : grid.list(visit.view, visit.tile, b)) {
-                ++local.tests;
-                const Triangle& triangle = geometry.triangles[id];
-                TriangleHit candidate;
-                if (!filter.certainlyMisses(triangle) && intersect(ray, triangle, candidate) &&
-                    candidate.t < maxT && !isSkipped(geometry, ray, id)) {
-                    found = true;
-                    limit = -1.0; // ends the walk
-                    break;
-                }
-            }
+            for (uint32_t id : grid.list(visit.view, visit.tile, b))
+                if (test(id)) break;
         }
     });
     if (counts) *counts = local;

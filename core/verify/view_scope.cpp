@@ -1,5 +1,6 @@
 #include "core/verify/view_scope.h"
 
+#include "core/trace/view_cone.h"
 #include "core/verify/exact.h"
 
 namespace dirt {
@@ -25,7 +26,8 @@ bool ViewScope::counts(const Ray& ray, const Verdict& truth, const FrameGeometry
     if (!view_) return true;
     if (!inside(*view_, ray, {Dyadic(0.0), Dyadic(1.0)})) return false;
     if (!truth.found()) return true;
-    return inside(*view_, ray,
+    return ViewCone(*view_).part(ray).holds((float) truth.t) &&
+           inside(*view_, ray,
                   *intersectExactly(ray, geometry.triangles[truth.primitives.front()]));
 }
 

@@ -37,6 +37,7 @@ void expectSameGrid(const Grid& a, const Grid& b) {
     }
     EXPECT_TRUE(sameBytes(a.heads, b.heads));
     EXPECT_TRUE(sameBytes(a.ids, b.ids));
+    EXPECT_EQ(a.atEye, b.atEye);
 }
 
 TEST(GridBuilder, EqualsTheDefinition) {

@@ -52,7 +52,8 @@ std::string violation(const TileCase& c) {
     if (inner.meets && !listed.clipped) return "G1: meets 1/512, but clipToTile() is false";
     if (!listed.listed()) return "";
     if (!(listed.depths.near >= 0.0f && listed.depths.near <= listed.depths.far))
-        return "an interval that is none: " + hex(listed.depths.near) + " " + hex(listed.depths.far);
+        return "an interval that is none: " + hex(listed.depths.near) + " " +
+               hex(listed.depths.far);
     if (inner.meets && compare(listed.depths.near, inner.near) > 0)
         return "G1: near " + hex(listed.depths.near) + " > exact " + hex(inner.near.value());
     if (inner.meets && compare(listed.depths.far, inner.far) < 0)

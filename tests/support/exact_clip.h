@@ -75,9 +75,10 @@ private:
 /// A triangle in the frame of a view, as integers times 2^exponent.
 struct ExactTriangle {
     std::array<IntegerVector, 3> vertices;
-    std::array<IntegerVector, 3> edges; ///< normals of the planes through the eye: a x b, b x c, c x a
-    Integer volume;                     ///< a . (b x c)
-    bool holdsEye = false;              ///< the eye is a point of the closed triangle
+    std::array<IntegerVector, 3>
+        edges;             ///< normals of the planes through the eye: a x b, b x c, c x a
+    Integer volume;        ///< a . (b x c)
+    bool holdsEye = false; ///< the eye is a point of the closed triangle
     int exponent;
 
     ExactTriangle(const Triangle& triangle, const View& view) {

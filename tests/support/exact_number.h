@@ -35,7 +35,9 @@ inline Integer toInteger(double value, int exponent) {
     return Integer((int64_t) std::ldexp(value, -lowest)) << (lowest - exponent);
 }
 
-inline int sign(const Integer& value) { return value.sign(); }
+inline int sign(const Integer& value) {
+    return value.sign();
+}
 
 /// The double nearest to \p value * 2^exponent, but for a relative error of 2^-60.
 inline double toDouble(const Integer& value, int exponent = 0) {
@@ -90,8 +92,8 @@ struct Fraction {
 
 /// Sign of f - fraction.
 inline int compare(double f, const Fraction& fraction) {
-    const int lowest = std::min(f == 0.0 ? fraction.exponent : lowestExponent(f),
-                                fraction.exponent);
+    const int lowest =
+        std::min(f == 0.0 ? fraction.exponent : lowestExponent(f), fraction.exponent);
     return sign(toInteger(f, lowest) * fraction.denominator -
                 (fraction.numerator << (fraction.exponent - lowest)));
 }

@@ -14,8 +14,8 @@ struct ExactRay {
     explicit ExactRay(const Ray& ray)
         : unit(std::min(lowestExponent(ray.origin), 0)),
           directionUnit(std::min(lowestExponent(ray.direction), 0)),
-          origin(toIntegers(ray.origin, unit)), direction(toIntegers(ray.direction, directionUnit)) {
-    }
+          origin(toIntegers(ray.origin, unit)),
+          direction(toIntegers(ray.direction, directionUnit)) {}
 
     /// A parameter t >= 0, in units of 2^(unit - directionUnit).
     struct Parameter {

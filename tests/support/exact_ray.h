@@ -21,7 +21,8 @@ inline ExactHit intersectExactly(const Ray& ray, const Triangle& triangle) {
     const int directionUnit = lowestExponent(ray.direction);
     if (unit == INT_MAX || directionUnit == INT_MAX) return result; // all zero
 
-    const IntegerVector o = toIntegers(ray.origin, unit), d = toIntegers(ray.direction, directionUnit);
+    const IntegerVector o = toIntegers(ray.origin, unit),
+                        d = toIntegers(ray.direction, directionUnit);
     const IntegerVector a = toIntegers(triangle.a, unit) - o;
     const IntegerVector b = toIntegers(triangle.b, unit) - o;
     const IntegerVector c = toIntegers(triangle.c, unit) - o;
@@ -54,8 +55,8 @@ inline Integer planeSideExactly(glm::vec3 p, const Triangle& triangle) {
 
 /// d . ((b - a) x (c - a)), up to a positive factor.
 inline Integer directionSideExactly(glm::vec3 d, const Triangle& triangle) {
-    const int unit = std::min({lowestExponent(triangle.a), lowestExponent(triangle.b),
-                               lowestExponent(triangle.c)});
+    const int unit = std::min(
+        {lowestExponent(triangle.a), lowestExponent(triangle.b), lowestExponent(triangle.c)});
     if (unit == INT_MAX || lowestExponent(d) == INT_MAX) return 0;
     const IntegerVector a = toIntegers(triangle.a, unit);
     return dot(toIntegers(d, lowestExponent(d)),

@@ -64,12 +64,16 @@ private:
             const double s = border(upright), w = random.powerOfTwo(-20, 0);
             const double dw = random.sign() * random.powerOfTwo(-20, 0);
             const double other = random.uniform(-1, 1) * w, dOther = random.uniform(-1, 1);
-            ray.origin = toGrid(upright ? glm::dvec3(s * w, other, w) : glm::dvec3(other, s * w, w));
-            ray.direction = toGrid(upright ? glm::dvec3(s * dw, dOther, dw) : glm::dvec3(dOther, s * dw, dw));
+            ray.origin =
+                toGrid(upright ? glm::dvec3(s * w, other, w) : glm::dvec3(other, s * w, w));
+            ray.direction =
+                toGrid(upright ? glm::dvec3(s * dw, dOther, dw) : glm::dvec3(dOther, s * dw, dw));
             return "along a border";
         }
-        case 6: case 7: { // from corner to corner, exactly where the difference is exact
-            const glm::dvec3 p = corner(random.powerOfTwo(-12, 0)), q = corner(random.powerOfTwo(-12, 0));
+        case 6:
+        case 7: { // from corner to corner, exactly where the difference is exact
+            const glm::dvec3 p = corner(random.powerOfTwo(-12, 0)),
+                             q = corner(random.powerOfTwo(-12, 0));
             ray = {toGrid(p), toGrid(q - p)};
             return "corner to corner";
         }
@@ -85,7 +89,8 @@ private:
             return "at a corner";
         }
         case 10: { // beside a border, by little
-            const glm::dvec3 p = corner(random.powerOfTwo(-12, 0)), q = corner(random.powerOfTwo(-12, 0));
+            const glm::dvec3 p = corner(random.powerOfTwo(-12, 0)),
+                             q = corner(random.powerOfTwo(-12, 0));
             ray = {toGrid(p), toGrid(q - p)};
             for (int i = 0; i < 3; ++i) {
                 ray.origin[i] = nudged(ray.origin[i]);
@@ -115,7 +120,9 @@ private:
         const double u = random.uniform(), v = (1 - u) * random.uniform();
         const glm::vec3 inside(a + ab * u + ac * v), edge(a + ab * u);
         const glm::vec3 otherInside((other.a + other.b + other.c) * (1.0f / 3.0f));
-        ray.origin = random.chance(0.2) ? glm::vec3(0.0f) : random.chance(0.5) ? anywhere() : otherInside;
+        ray.origin = random.chance(0.2)   ? glm::vec3(0.0f)
+                     : random.chance(0.5) ? anywhere()
+                                          : otherInside;
         switch (random.below(6)) {
         case 0:
             ray.direction = inside - ray.origin;
@@ -154,8 +161,7 @@ private:
     }
     glm::vec3 direction() {
         glm::dvec3 d;
-        do
-            d = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+        do d = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
         while (glm::dot(d, d) > 1 || glm::dot(d, d) < 1e-6);
         return glm::vec3(d);
     }

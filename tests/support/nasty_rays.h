@@ -30,17 +30,18 @@ public:
 
     glm::vec3 direction() {
         glm::dvec3 d;
-        do
-            d = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+        do d = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
         while (glm::dot(d, d) > 1 || glm::dot(d, d) < 1e-6);
         return glm::vec3(d);
     }
 
-    /// Any triangle, or a small-integer one (so that sums are exact), a sliver, or one without area.
+    /// Any triangle, or a small-integer one (so that sums are exact), a sliver, or one without
+    /// area.
     Triangle triangle() {
         Triangle t;
         const double size = random.wide(-6, 6);
-        const glm::dvec3 offset = random.chance(0.5) ? glm::dvec3(0) : at(std::pow(10.0, random.uniform(-6, 6)));
+        const glm::dvec3 offset =
+            random.chance(0.5) ? glm::dvec3(0) : at(std::pow(10.0, random.uniform(-6, 6)));
         switch (random.below(10)) {
         case 0:
             t = {wide(-6, 6), wide(-6, 6), wide(-6, 6)};
@@ -48,7 +49,9 @@ public:
         case 1:
             t = {wide(-18, 18), wide(-18, 18), wide(-18, 18)};
             break;
-        case 2: case 3: case 4:
+        case 2:
+        case 3:
+        case 4:
             t = {integers(1000), integers(1000), integers(1000)};
             break;
         case 5:
@@ -61,20 +64,24 @@ public:
             t.c = random.chance(0.5) ? t.a : 2.0f * t.b - t.a;
             break;
         default:
-            t = {glm::vec3(at(size) + offset), glm::vec3(at(size) + offset), glm::vec3(at(size) + offset)};
+            t = {glm::vec3(at(size) + offset), glm::vec3(at(size) + offset),
+                 glm::vec3(at(size) + offset)};
         }
         return t;
     }
 
 private:
     glm::dvec3 at(double size) {
-        return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+        return {random.uniform(-size, size), random.uniform(-size, size),
+                random.uniform(-size, size)};
     }
     glm::vec3 wide(double lo, double hi) {
-        return {(float) random.wide(lo, hi), (float) random.wide(lo, hi), (float) random.wide(lo, hi)};
+        return {(float) random.wide(lo, hi), (float) random.wide(lo, hi),
+                (float) random.wide(lo, hi)};
     }
     glm::vec3 integers(int n) {
-        return {(float) random.range(-n, n), (float) random.range(-n, n), (float) random.range(-n, n)};
+        return {(float) random.range(-n, n), (float) random.range(-n, n),
+                (float) random.range(-n, n)};
     }
 
     const char* aim(RayCase& c) {
@@ -84,8 +91,9 @@ private:
         const double size = std::max(glm::length(ab), glm::length(ac));
         double u = random.uniform(), v = (1 - u) * random.uniform();
         const glm::dvec3 inside = a + ab * u + ac * v;
-        ray.origin = random.chance(0.2) ? glm::vec3(0)
-                                        : glm::vec3(inside + at(size * std::pow(10.0, random.uniform(-3, 3))));
+        ray.origin = random.chance(0.2)
+                         ? glm::vec3(0)
+                         : glm::vec3(inside + at(size * std::pow(10.0, random.uniform(-3, 3))));
         const glm::dvec3 o(ray.origin);
         const float scale = random.chance(0.5) ? 1.0f : (float) random.wide(-6, 6);
 
@@ -96,10 +104,12 @@ private:
         case 1:
             ray.direction = glm::vec3(inside - o) * scale;
             return "inside";
-        case 2: case 3:
+        case 2:
+        case 3:
             ray.direction = (random.pick({t.a, t.b, t.c}) - ray.origin) * std::abs(scale);
             return "vertex";
-        case 4: case 5:
+        case 4:
+        case 5:
             ray.direction = glm::vec3(a + ab * u - o) * std::abs(scale);
             return "edge";
         case 6: // exactly at an integer point's multiple: at a vertex or the middle of an edge
@@ -108,8 +118,10 @@ private:
                          (float) random.range(-3, 9) * ray.direction;
             return "exact";
         case 7: // exactly in the plane for integer triangles
-            ray.direction = (t.b - t.a) * (float) random.range(-3, 3) + (t.c - t.a) * (float) random.range(-3, 3);
-            ray.origin = t.a + (t.b - t.a) * (float) random.range(-3, 3) + (t.c - t.a) * (float) random.range(-3, 3);
+            ray.direction = (t.b - t.a) * (float) random.range(-3, 3) +
+                            (t.c - t.a) * (float) random.range(-3, 3);
+            ray.origin = t.a + (t.b - t.a) * (float) random.range(-3, 3) +
+                         (t.c - t.a) * (float) random.range(-3, 3);
             return "in the plane";
         case 8: {
             const glm::dvec3 normal = glm::cross(ab, ac);
@@ -134,7 +146,8 @@ private:
         case 11:
             ray.direction = glm::vec3(0);
             ray.direction[random.below(3)] = scale;
-            if (random.chance(0.7)) ray.origin[random.below(3)] = random.pick({t.a, t.b, t.c})[random.below(3)];
+            if (random.chance(0.7))
+                ray.origin[random.below(3)] = random.pick({t.a, t.b, t.c})[random.below(3)];
             return "axis";
         default:
             ray.origin = wide(-18, 18);

@@ -19,8 +19,7 @@ struct TileCase {
 
 class NastyTriangles {
 public:
-    NastyTriangles(Random& random, const std::vector<ViewSet>& sets)
-        : random(random), sets(sets) {}
+    NastyTriangles(Random& random, const std::vector<ViewSet>& sets) : random(random), sets(sets) {}
 
     /// A third of all are degenerate, edge-on, through the eye's plane or on a tile's border.
     TileCase next() {
@@ -39,28 +38,55 @@ public:
 private:
     const char* shape(glm::dvec3 (&p)[3]) {
         switch (random.below(26)) {
-        case 0: case 1: return wide(p), "wide exponents";
-        case 2: case 3: case 4: return local(p, 10.0), "near the tile";
-        case 5: case 6: return local(p, 1e-3), "tiny";
-        case 7: case 8: case 9: return alongBorder(p), "along a border";
-        case 10: case 11: case 12: return pastCorner(p), "past a corner";
-        case 13: return onGrid(p), "on borders and corners";
-        case 14: return inBorderPlane(p), "in a border's plane";
-        case 15: return edgeOn(p, 0), "edge-on";
-        case 16: return edgeOn(p, random.range(1, 64)), "nearly edge-on";
-        case 17: return point(p), "a point";
-        case 18: return segment(p), "a segment";
-        case 19: return collinearWithEye(p), "collinear with the eye";
-        case 20: return aroundEye(p), "through or around the eye";
-        case 21: return behind(p), "through the eye's plane";
-        case 22: return sliver(p), "sliver";
-        case 23: case 24: return pastEye(p), "closely past the eye";
-        default: return noise(p), "almost zero coordinates";
+        case 0:
+        case 1:
+            return wide(p), "wide exponents";
+        case 2:
+        case 3:
+        case 4:
+            return local(p, 10.0), "near the tile";
+        case 5:
+        case 6:
+            return local(p, 1e-3), "tiny";
+        case 7:
+        case 8:
+        case 9:
+            return alongBorder(p), "along a border";
+        case 10:
+        case 11:
+        case 12:
+            return pastCorner(p), "past a corner";
+        case 13:
+            return onGrid(p), "on borders and corners";
+        case 14:
+            return inBorderPlane(p), "in a border's plane";
+        case 15:
+            return edgeOn(p, 0), "edge-on";
+        case 16:
+            return edgeOn(p, random.range(1, 64)), "nearly edge-on";
+        case 17:
+            return point(p), "a point";
+        case 18:
+            return segment(p), "a segment";
+        case 19:
+            return collinearWithEye(p), "collinear with the eye";
+        case 20:
+            return aroundEye(p), "through or around the eye";
+        case 21:
+            return behind(p), "through the eye's plane";
+        case 22:
+            return sliver(p), "sliver";
+        case 23:
+        case 24:
+            return pastEye(p), "closely past the eye";
+        default:
+            return noise(p), "almost zero coordinates";
         }
     }
 
     double depth() {
-        return random.chance(0.5) ? random.powerOfTwo(-20, 0) : std::pow(10.0, random.uniform(-6, 0));
+        return random.chance(0.5) ? random.powerOfTwo(-20, 0)
+                                  : std::pow(10.0, random.uniform(-6, 0));
     }
 
     /// A place across the tile along one axis, as a slope: on a border, on one of the three guard
@@ -69,12 +95,18 @@ private:
         const int side = random.below(2);
         const double border = borders[cell + side], outwards = side ? width : -width;
         switch (random.below(6)) {
-        case 0: return border;
-        case 1: return border + outwards * random.pick({1.0 / 512, 1.0 / 128, 1.0 / 64});
-        case 2: return border + outwards * random.uniform(1.0 / 512, 1.0 / 64);
-        case 3: return border + outwards * random.wide(-9, -1);
-        case 4: return borders[cell] + random.uniform() * ((double) borders[cell + 1] - borders[cell]);
-        default: return border + outwards * random.uniform(-reach, reach);
+        case 0:
+            return border;
+        case 1:
+            return border + outwards * random.pick({1.0 / 512, 1.0 / 128, 1.0 / 64});
+        case 2:
+            return border + outwards * random.uniform(1.0 / 512, 1.0 / 64);
+        case 3:
+            return border + outwards * random.wide(-9, -1);
+        case 4:
+            return borders[cell] + random.uniform() * ((double) borders[cell + 1] - borders[cell]);
+        default:
+            return border + outwards * random.uniform(-reach, reach);
         }
     }
     glm::dvec2 slopes(double reach) {
@@ -86,8 +118,7 @@ private:
     }
 
     void wide(glm::dvec3 (&p)[3]) {
-        for (glm::dvec3& v : p)
-            v = {random.wide(-6, 6), random.wide(-6, 6), random.wide(-6, 6)};
+        for (glm::dvec3& v : p) v = {random.wide(-6, 6), random.wide(-6, 6), random.wide(-6, 6)};
     }
     void local(glm::dvec3 (&p)[3], double reach) {
         const double w = depth(), spread = std::pow(10.0, random.uniform(-7, 1));
@@ -115,11 +146,12 @@ private:
     /// An edge passes the tile's corner closely, with the rest beyond or across.
     void pastCorner(glm::dvec3 (&p)[3]) {
         const int right = random.below(2), below = random.below(2);
-        const double distance = random.chance(0.5) ? random.uniform(0, 1.0 / 32)
-                                                   : random.pick({0.0, 1.0 / 512, 1.0 / 128, 1.0 / 64});
+        const double distance = random.chance(0.5)
+                                    ? random.uniform(0, 1.0 / 32)
+                                    : random.pick({0.0, 1.0 / 512, 1.0 / 128, 1.0 / 64});
         const glm::dvec2 outwards{right ? tile.x : -tile.x, below ? tile.y : -tile.y};
-        const glm::dvec2 via = glm::dvec2(view->s[column + right], view->t[row + below]) +
-                               outwards * distance;
+        const glm::dvec2 via =
+            glm::dvec2(view->s[column + right], view->t[row + below]) + outwards * distance;
         const double angle = random.uniform(0, 1.5707963);
         const glm::dvec2 along{outwards.x * std::cos(angle), -outwards.y * std::sin(angle)};
         const double ahead = std::pow(10.0, random.uniform(-2, 3));
@@ -131,7 +163,8 @@ private:
     }
     void onGrid(glm::dvec3 (&p)[3]) {
         for (glm::dvec3& v : p)
-            v = random.chance(0.7) ? corner(random.powerOfTwo(-12, 0)) : at(slopes(2), random.powerOfTwo(-12, 0));
+            v = random.chance(0.7) ? corner(random.powerOfTwo(-12, 0))
+                                   : at(slopes(2), random.powerOfTwo(-12, 0));
     }
     void inBorderPlane(glm::dvec3 (&p)[3]) {
         const int side = random.below(2);
@@ -146,7 +179,8 @@ private:
     void edgeOn(glm::dvec3 (&p)[3], int perturbation) {
         const glm::dvec2 center = slopes(1);
         const glm::dvec3 u = glm::round(at(center, 1.0) * 1024.0);
-        const glm::dvec3 v(random.range(-999, 999), random.range(-999, 999), random.range(-999, 999));
+        const glm::dvec3 v(random.range(-999, 999), random.range(-999, 999),
+                           random.range(-999, 999));
         for (glm::dvec3& q : p)
             q = (u * (double) random.range(-20, 900) + v * (double) random.range(-40, 40)) *
                 0x1p-24 * random.powerOfTwo(-8, 0);
@@ -156,7 +190,8 @@ private:
         }
     }
     void point(glm::dvec3 (&p)[3]) {
-        p[0] = p[1] = p[2] = random.chance(0.3) ? corner(random.powerOfTwo(-12, 0)) : at(slopes(1), depth());
+        p[0] = p[1] = p[2] =
+            random.chance(0.3) ? corner(random.powerOfTwo(-12, 0)) : at(slopes(1), depth());
     }
     void segment(glm::dvec3 (&p)[3]) {
         local(p, 3.0);
@@ -175,9 +210,15 @@ private:
     void aroundEye(glm::dvec3 (&p)[3]) {
         local(p, 2.0);
         switch (random.below(4)) {
-        case 0: p[0] = {0, 0, 0}; break;
-        case 1: p[1] = glm::dvec3(glm::vec3(p[0])) * -random.powerOfTwo(-10, 3); break;
-        case 2: p[0] = p[1] = {0, 0, 0}; break;
+        case 0:
+            p[0] = {0, 0, 0};
+            break;
+        case 1:
+            p[1] = glm::dvec3(glm::vec3(p[0])) * -random.powerOfTwo(-10, 3);
+            break;
+        case 2:
+            p[0] = p[1] = {0, 0, 0};
+            break;
         default: // the eye is inside: c = -(a + b) / 2^k for integers a and b
             for (int i = 0; i < 2; ++i) p[i] = glm::round(p[i] / tile.x * 1000.0 * 0x1p12 / p[i].z);
             p[2] = (p[0] + p[1]) * -random.powerOfTwo(-4, 4);
@@ -192,14 +233,17 @@ private:
             if (random.chance(0.3))
                 v = {random.wide(-6, 0), random.wide(-6, 0), 0.0};
             else
-                v = {random.wide(-6, 0), random.wide(-6, 0), -std::pow(10.0, random.uniform(-6, 0))};
+                v = {random.wide(-6, 0), random.wide(-6, 0),
+                     -std::pow(10.0, random.uniform(-6, 0))};
         }
     }
     /// Large, and nearer to the eye than its vertices by far: in the tile or beside it.
     void pastEye(glm::dvec3 (&p)[3]) {
-        const glm::dvec3 near = at(slopes(1), std::ldexp(random.uniform(1, 2), random.range(-30, -4)));
+        const glm::dvec3 near =
+            at(slopes(1), std::ldexp(random.uniform(1, 2), random.range(-30, -4)));
         glm::dvec3 along, across;
-        for (int i = 0; i < 3; ++i) along[i] = random.uniform(-1, 1), across[i] = random.uniform(-1, 1);
+        for (int i = 0; i < 3; ++i)
+            along[i] = random.uniform(-1, 1), across[i] = random.uniform(-1, 1);
         if (random.chance(0.3)) along.z = 0;
         if (random.chance(0.3)) across = at(slopes(1), random.sign());
         p[0] = near + along * std::pow(10.0, random.uniform(-3, 0));

@@ -25,8 +25,8 @@ inline std::string hex(const Triangle& triangle) {
 }
 
 inline std::string hex(const Ray& ray) {
-    return "Ray{" + hex(ray.origin) + ", " + hex(ray.direction) + ", " +
-           std::to_string(ray.skip) + "u}";
+    return "Ray{" + hex(ray.origin) + ", " + hex(ray.direction) + ", " + std::to_string(ray.skip) +
+           "u}";
 }
 
 inline std::string describe(const ViewSet& set) {

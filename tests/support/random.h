@@ -14,7 +14,9 @@ inline bool fullTests() {
 }
 
 /// How many cases a randomised test runs: \p cut in the suite, \p full in the long form.
-inline int cases(int cut, int full) { return fullTests() ? full : cut; }
+inline int cases(int cut, int full) {
+    return fullTests() ? full : cut;
+}
 
 /// A small reproducible generator (SplitMix64): the same cases on every machine, which
 /// std::uniform_real_distribution does not promise.

@@ -22,7 +22,8 @@ inline void addSoup(Random& random, std::vector<Triangle>& out, int count) {
 
 /// The six walls of a box around the eye, twelve triangles that share their vertices.
 inline void addRoom(Random& random, std::vector<Triangle>& out) {
-    const glm::vec3 lo = -glm::abs(uniformPoint(random, 1.0)), hi = glm::abs(uniformPoint(random, 1.0));
+    const glm::vec3 lo = -glm::abs(uniformPoint(random, 1.0)),
+                    hi = glm::abs(uniformPoint(random, 1.0));
     for (int axis = 0; axis < 3; ++axis)
         for (float w : {lo[axis], hi[axis]}) {
             glm::vec3 p[4];
@@ -43,7 +44,8 @@ inline void addSphere(Random& random, std::vector<Triangle>& out, int around, in
     const double radius = random.uniform(0.05, 1.0);
     const auto point = [&](int i, int j) {
         const double phi = 2 * pi * (i % around) / around, theta = pi * j / up;
-        return glm::vec3(center + radius * glm::dvec3(std::sin(theta) * std::cos(phi), std::cos(theta),
+        return glm::vec3(center + radius * glm::dvec3(std::sin(theta) * std::cos(phi),
+                                                      std::cos(theta),
                                                       std::sin(theta) * std::sin(phi)));
     };
     for (int j = 0; j < up; ++j)

@@ -72,7 +72,8 @@ TEST(Determinant, ExactSignAndNearestValue) {
 TEST(Determinant, ReachesTheEndsOfFloat) {
     const float big = FLT_MAX, tiny = FLT_MIN;
     EXPECT_GT(edgeDeterminantExact({0, 0, 0}, {big, 0, 0}, {0, big, 0}, {0, 0, big}), 1e114);
-    const double product = edgeDeterminantExact({0, 0, 0}, {tiny, 0, 0}, {0, tiny, 0}, {0, 0, tiny});
+    const double product =
+        edgeDeterminantExact({0, 0, 0}, {tiny, 0, 0}, {0, tiny, 0}, {0, 0, tiny});
     EXPECT_EQ(product, (double) tiny * tiny * tiny);
     // The difference of neighbours, beside large terms that cancel.
     const float next = std::nextafter(1.0f, 2.0f);

@@ -62,7 +62,9 @@ TEST(Intersect, DecidesAsExactArithmetic) {
         hits += intersect(c.ray, c.triangle, hit);
         if (wrong.empty()) continue;
         if (++failures[wrong.substr(0, 12) + " (" + c.kind + ")"] <= 2)
-            ADD_FAILURE() << wrong << "\n" << hex(c.ray) << "\n" << hex(c.triangle) << " (" << c.kind << ")";
+            ADD_FAILURE() << wrong << "\n"
+                          << hex(c.ray) << "\n"
+                          << hex(c.triangle) << " (" << c.kind << ")";
     }
     for (const auto& [what, count] : failures) ADD_FAILURE() << count << " times " << what;
     EXPECT_GT(hits, total / 10);
@@ -106,7 +108,8 @@ TEST(Intersect, NothingInThePlaneOrWithoutArea) {
     const Triangle t{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
     EXPECT_FALSE(intersect({{-1, 0.25f, 1}, {1, 0, 0}}, t, hit));
     EXPECT_FALSE(intersect({{0, 0, 1}, {1, 0, 0}}, t, hit));
-    const Triangle segment{{0, 0, 1}, {1, 0, 1}, {0.5f, 0, 1}}, point{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    const Triangle segment{{0, 0, 1}, {1, 0, 1}, {0.5f, 0, 1}},
+        point{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
     EXPECT_FALSE(intersect({{0.5f, 0, 0}, {0, 0, 1}}, segment, hit));
     EXPECT_FALSE(intersect({{0, 0, 0}, {0, 0, 1}}, point, hit));
 }
@@ -127,7 +130,8 @@ TEST(Intersect, WeightsAddUpWithinTheTriangle) {
 
 TEST(Intersect, SameVerticesInAnyOrder) {
     const glm::vec3 a{0, 0, 1}, b{1, 0, 1}, c{0, 1, 1}, d{0, 1, std::nextafter(1.0f, 2.0f)};
-    for (const Triangle& t : {Triangle{a, b, c}, {b, c, a}, {c, a, b}, {a, c, b}, {c, b, a}, {b, a, c}})
+    for (const Triangle& t :
+         {Triangle{a, b, c}, {b, c, a}, {c, a, b}, {a, c, b}, {c, b, a}, {b, a, c}})
         EXPECT_TRUE(sameVertices(t, {a, b, c}));
     EXPECT_FALSE(sameVertices({a, b, c}, {a, b, d}));
     // Sets that are equal only if repetitions are not counted.

@@ -17,8 +17,8 @@ namespace {
 
 /// Moved by at most this many times the rounding error of the point: 2^-24 |p|_1, and in double
 /// 2^-50 of the triangle's largest coordinate. The point's own rounding is 1; the step along the
-/// normal, whose length is at most sqrt(3) of its largest component, has to outweigh it (2 sqrt(3));
-/// and it may be doubled once.
+/// normal, whose length is at most sqrt(3) of its largest component, has to outweigh it (2
+/// sqrt(3)); and it may be doubled once.
 constexpr double kMostMoved = 1.0 + 4.0 * 1.7320508;
 
 struct OffsetCase {
@@ -76,7 +76,8 @@ TEST(Offset, LiesOnTheOutgoingSideAndNotFar) {
         if (wrong.empty()) continue;
         if (++failures[wrong.substr(0, 15)] <= 3)
             ADD_FAILURE() << wrong << "\n"
-                          << hex(c.triangle) << " " << hex(c.u) << " " << hex(c.v) << " " << hex(c.direction);
+                          << hex(c.triangle) << " " << hex(c.u) << " " << hex(c.v) << " "
+                          << hex(c.direction);
     }
     for (const auto& [what, count] : failures) ADD_FAILURE() << count << " times " << what;
 }

@@ -28,10 +28,17 @@ Grid madeGrid(Random& random, const ViewSet& set) {
             const float a = (float) std::pow(10.0, random.uniform(-6, 0.3));
             const float b = (float) std::pow(10.0, random.uniform(-6, 0.3));
             switch (kind) {
-            case 0: bounds = {0.0f, 4.0f}; break;
-            case 1: bounds = {1e-7f, 4.0f}; break;
-            case 2: bounds = {std::min(a, b), std::max(a, b)}; break;
-            default: bounds = {0.25f * a, random.chance(0.1) ? 0.25f * a : 0.25f * a + b};
+            case 0:
+                bounds = {0.0f, 4.0f};
+                break;
+            case 1:
+                bounds = {1e-7f, 4.0f};
+                break;
+            case 2:
+                bounds = {std::min(a, b), std::max(a, b)};
+                break;
+            default:
+                bounds = {0.25f * a, random.chance(0.1) ? 0.25f * a : 0.25f * a + b};
             }
         }
         buildPyramid(pyramid);
@@ -97,7 +104,8 @@ struct VisitTest {
             if (ray.crossing(view, axis, axis ? view.t[border] : view.s[border], t)) {
                 if (choice == 2) { // beside it, by a relative 2^-12 to 2^-60
                     const int shift = random.range(12, 60);
-                    t.numerator = (t.numerator << shift) + (random.chance(0.5) ? t.numerator : -t.numerator);
+                    t.numerator =
+                        (t.numerator << shift) + (random.chance(0.5) ? t.numerator : -t.numerator);
                     t.denominator <<= shift;
                 }
                 return t;
@@ -133,8 +141,9 @@ std::vector<ViewSet> smallViews(Random& random) {
 std::string describe(const ViewSet& set, const Grid& grid, const GridRay& r) {
     return test::describe(set) + " bins " + std::to_string(set.settings.bins) + " maxMip " +
            std::to_string(set.settings.maxMip) +
-           (set.settings.traversal == Traversal::linear ? " linear" : " hierarchical") + " bounds " +
-           hex(grid.bounds(0, 0).near) + " " + hex(grid.bounds(0, 0).far) + "\n" + hex(r.ray) + " (" + r.kind + ")";
+           (set.settings.traversal == Traversal::linear ? " linear" : " hierarchical") +
+           " bounds " + hex(grid.bounds(0, 0).near) + " " + hex(grid.bounds(0, 0).far) + "\n" +
+           hex(r.ray) + " (" + r.kind + ")";
 }
 
 /// Whether T1 speaks of this point (times any factor). A single view, of rays that start inside it,
@@ -172,19 +181,24 @@ TEST(Visit, EveryPointOfTheRayIsInAVisitedCell) {
                     const std::string wrong = test.lost(exact, t, cells);
                     ++points;
                     if (!wrong.empty() && ++failures[r.kind] <= 2)
-                        ADD_FAILURE() << wrong << " t " << hex(Fraction{t.numerator, t.denominator, exact.unit - exact.directionUnit}.value()) << "\n"
+                        ADD_FAILURE() << wrong << " t "
+                                      << hex(Fraction{t.numerator, t.denominator,
+                                                      exact.unit - exact.directionUnit}
+                                                 .value())
+                                      << "\n"
                                       << describe(set, grid, r);
                 }
             }
         }
-    for (const auto& [kind, count] : failures) ADD_FAILURE() << count << " points lost, rays " << kind;
+    for (const auto& [kind, count] : failures)
+        ADD_FAILURE() << count << " points lost, rays " << kind;
     EXPECT_GT(points, 10'000);
     EXPECT_GT(visits, points);
 }
 
 /// Of the cells whose interior the ray passes; where it only touches one, or runs along a border
-/// between views, any order will do. A hit is final at err(t) before the end of what was visited, so
-/// two cells may change places where their parameters differ by less than that.
+/// between views, any order will do. A hit is final at err(t) before the end of what was visited,
+/// so two cells may change places where their parameters differ by less than that.
 TEST(Visit, CellsComeInTheOrderOfT) {
     Random random(2);
     std::map<std::string, int> failures;
@@ -202,14 +216,18 @@ TEST(Visit, CellsComeInTheOrderOfT) {
                     const View& view = set.views[v];
                     const float dw = view.signW * r.ray.direction[view.axisW];
                     if (last.view == v && last.tile == tile) {
-                        if (dw >= 0 ? bin <= last.bin : bin >= last.bin) wrong = "bins out of order";
+                        if (dw >= 0 ? bin <= last.bin : bin >= last.bin)
+                            wrong = "bins out of order";
                     } else {
                         const ParameterSpan span =
-                            spanInside(exact, view, ExactCone(view, tile % view.columns, tile / view.columns, set.tileSize(view), 0.0));
+                            spanInside(exact, view,
+                                       ExactCone(view, tile % view.columns, tile / view.columns,
+                                                 set.tileSize(view), 0.0));
                         if (!span.empty()) {
                             if (span.to < latest * (1.0 - 0x1p-23))
-                                wrong = "tile " + std::to_string(tile) + " of view " + std::to_string(v) +
-                                        " ends at " + hex(span.to) + ", after one that begins at " + hex(latest);
+                                wrong = "tile " + std::to_string(tile) + " of view " +
+                                        std::to_string(v) + " ends at " + hex(span.to) +
+                                        ", after one that begins at " + hex(latest);
                             latest = std::max(latest, span.from);
                         }
                     }
@@ -219,7 +237,8 @@ TEST(Visit, CellsComeInTheOrderOfT) {
                     ADD_FAILURE() << wrong << "\n" << describe(set, grid, r);
             }
         }
-    for (const auto& [kind, count] : failures) ADD_FAILURE() << count << " rays out of order: " << kind;
+    for (const auto& [kind, count] : failures)
+        ADD_FAILURE() << count << " rays out of order: " << kind;
 }
 
 TEST(Visit, NothingForRaysThatAreNone) {
@@ -233,7 +252,8 @@ TEST(Visit, NothingForRaysThatAreNone) {
             (i < 3 ? ray.origin : ray.direction)[i % 3] = bad;
             visitCells(grid, ray, [](int, int, int) { ADD_FAILURE() << "a cell is visited"; });
         }
-    visitCells(grid, {{0, 0, 0}, {0, 0, 0}}, [](int, int, int) { ADD_FAILURE() << "a cell is visited"; });
+    visitCells(grid, {{0, 0, 0}, {0, 0, 0}},
+               [](int, int, int) { ADD_FAILURE() << "a cell is visited"; });
 }
 
 } // namespace
