@@ -89,24 +89,10 @@ bool EarClipper::containsVertex(uint32_t ear, Rule rule) const {
     return false;
 }
 
-/// Whether the ear's third edge leaves both its ends towards the inside. Follows from an empty ear
-/// but for corners that coincide.
-bool EarClipper::diagonalIsInside(uint32_t ear) const {
-    const Vertex& v = vertices_[ear];
-    const Vertex &from = vertices_[v.previous], &to = vertices_[v.next];
-    const glm::dvec2 a = from.position, b = v.position, c = to.position;
-    const glm::dvec2 beforeA = vertices_[from.previous].position,
-                     afterC = vertices_[to.next].position;
-    const bool insideAtA = turn(beforeA, a, b) < 0.0 || turn(beforeA, a, c) >= 0.0;
-    const bool insideAtC = turn(b, c, afterC) < 0.0 || turn(a, c, afterC) >= 0.0;
-    return insideAtA && insideAtC;
-}
-
 bool EarClipper::isEar(uint32_t vertex, Rule rule) const {
     const Vertex& v = vertices_[vertex];
     switch (rule) {
     case Rule::proper:
-        return v.convex && !containsVertex(vertex, rule) && diagonalIsInside(vertex);
     case Rule::noneInside:
         return v.convex && !containsVertex(vertex, rule);
     case Rule::convex:

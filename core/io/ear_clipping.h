@@ -42,7 +42,6 @@ private:
     void updateConvexity(uint32_t vertex);
     bool isEar(uint32_t vertex, Rule rule) const;
     bool containsVertex(uint32_t ear, Rule rule) const;
-    bool diagonalIsInside(uint32_t ear) const;
 
     std::vector<Vertex> vertices_;
     std::vector<Ear> ears_;

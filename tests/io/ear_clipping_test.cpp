@@ -119,6 +119,55 @@ TEST(EarClipping, KeepsRandomStarPolygons) {
     }
 }
 
+TEST(EarClipping, KeepsRandomRings) {
+    std::mt19937 random(3);
+    for (int round = 0; round < 300; ++round) {
+        // Two star polygons around the origin, the inner one run through the other way; the way
+        // between them follows the ray of angle 0.
+        const int count = 3 + (int) (random() % 12);
+        const auto corner = [&](int i, unsigned nearest) {
+            const double angle = 2.0 * std::numbers::pi * i / count;
+            const double radius = nearest + (double) (random() % 20000);
+            return glm::vec3(std::round(radius * std::cos(angle)),
+                             std::round(radius * std::sin(angle)), 0.0);
+        };
+        Polygon polygon, hole;
+        // Half of the outer radius is left between neighbours 120 degrees apart.
+        for (int i = 0; i < count; ++i) polygon.push_back(corner(i, 60000));
+        for (int i = 0; i < count; ++i) hole.push_back(corner(i, 5000));
+        polygon.push_back(polygon[0]);
+        polygon.push_back(hole[0]);
+        polygon.insert(polygon.end(), hole.rbegin(), hole.rend());
+        polygon.pop_back();
+        polygon.push_back(hole[0]);
+        // Begin anywhere.
+        std::rotate(polygon.begin(), polygon.begin() + random() % polygon.size(), polygon.end());
+        expectExactCover(polygon);
+        if (testing::Test::HasFailure()) FAIL() << "round " << round;
+    }
+}
+
+TEST(EarClipping, KeepsRingsWithManyCornersInLine) {
+    // A square of side 6 around one of side 2, with a corner at every step of 1.
+    Polygon outer, ring;
+    const auto walk = [](Polygon& to, glm::vec3 from, int side) {
+        const glm::vec3 steps[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+        for (const glm::vec3& step : steps)
+            for (int i = 0; i < side; ++i, from += step) to.push_back(from);
+    };
+    Polygon hole;
+    walk(outer, {0, 0, 0}, 6);
+    walk(hole, {2, 2, 0}, 2);
+    for (size_t start = 0; start < outer.size() + hole.size() + 2; ++start) {
+        ring = outer;
+        ring.push_back(outer[0]);
+        ring.push_back(hole[0]);
+        ring.insert(ring.end(), hole.rbegin(), hole.rend());
+        std::rotate(ring.begin(), ring.begin() + (ptrdiff_t) start, ring.end());
+        expectExactCover(ring);
+    }
+}
+
 TEST(EarClipping, DoesNotDependOnThePlaneOrItsSide) {
     const Polygon shape = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}};
     const Ears expected = clip(shape);
