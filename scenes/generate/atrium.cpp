@@ -70,7 +70,7 @@ void addArcades(Mesh& mesh) {
     const Detail& detail = mesh.detail();
     const Mesh lowerColumn = makeColumn(detail, {3.66, 0.235, 0.56, 20, 0, WhiteMarble, Limestone});
     const Mesh upperColumn = makeColumn(detail, {upperSpringing - upperFloor - parapet - 0.12,
-                                                 0.165, 0.42, 12, 0.9, RedMarble, WhiteMarble});
+                                                 0.165, 0.42, 12, 0.35, RedMarble, WhiteMarble});
     const Mesh lowerArch = makeArchBay(
         detail,
         {archRadius, bay / 2, lowerTop - lowerSpringing, wall, 15, Ashlar, Limestone, RedMarble},
@@ -214,7 +214,7 @@ void addBanners(Mesh& mesh) {
         if (hung) {
             const int colour = colours[(place0.index / 2 + place0.side) % 4];
             const double length = 4.6 + 0.5 * hashUnit(place0.id, 21);
-            const Mesh banner = makeBanner(mesh.detail(), {1.5, length, 0.46 + face, parapet + 0.04,
+            const Mesh banner = makeBanner(mesh.detail(), {1.5, length, 0.52 + face, parapet + 0.04,
                                                            colour, GoldTrim, place0.id});
             mesh.append(banner, place0.transform * place({0, upperFloor + parapet + 0.01, 0.155}));
         } else if (mesh.detail().shows(0.13) &&

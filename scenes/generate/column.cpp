@@ -49,7 +49,7 @@ void addShaft(Mesh& mesh, const ColumnShape& shape, double low, double high) {
     const int perFlute = mesh.detail().steps(6, 4);
     const bool fluted = shape.flutes > 0 && mesh.detail().shows(0.30);
     const int sides = fluted ? shape.flutes * perFlute : mesh.detail().steps(28, 5);
-    const int rows = mesh.detail().steps(shape.twist != 0 ? 18 : 8);
+    const int rows = mesh.detail().steps(shape.twist != 0 ? 30 : 8);
     const double length = high - low;
     const auto surface = [&](double u, double v) -> SurfacePoint {
         // Rows crowd at both ends, where the flutes run out.

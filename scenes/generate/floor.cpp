@@ -81,11 +81,22 @@ void layLozenges(Mesh& mesh, Vec2 low, double size, int tiles, int colour, int o
     }
 }
 
+/// A triangle of stone; no quarry yields it in one piece, so it is halved along the line from its
+/// middle corner `levels` times.
+void layTriangle(Mesh& mesh, int material, Vec2 a, Vec2 b, Vec2 c, int levels, std::uint32_t seed) {
+    if (levels == 0 || !mesh.detail().shows(0.22)) {
+        layStone(mesh, material, {a, b, c}, 0, seed);
+        return;
+    }
+    const Vec2 middle = (a + c) * 0.5;
+    layTriangle(mesh, material, b, middle, a, levels - 1, hashBits(seed, 1));
+    layTriangle(mesh, material, c, middle, b, levels - 1, hashBits(seed, 2));
+}
+
 /// Nested squares, each turned by an eighth against the one around it.
 void layNestedSquares(Mesh& mesh, Vec2 low, double size, std::uint32_t seed) {
     const Vec2 centre = low + Vec2(size / 2);
-    const int materials[6] = {RedMarble, WhiteMarble, GreenMarble,
-                              Limestone, RedMarble,   WhiteMarble};
+    const int materials[6] = {Limestone, RedMarble, WhiteMarble, GreenMarble, Limestone, RedMarble};
     double half = size / 2;
     Vec2 outer[4] = {{-half, -half}, {-half, half}, {half, half}, {half, -half}};
     for (std::uint32_t ring = 0; ring < 5; ++ring) {
@@ -94,9 +105,9 @@ void layNestedSquares(Mesh& mesh, Vec2 low, double size, std::uint32_t seed) {
             inner[k] = (outer[k] + outer[(k + 1) % 4]) * 0.5;
         }
         for (std::uint32_t k = 0; k < 4; ++k) {
-            layStone(mesh, materials[ring],
-                     {centre + inner[(k + 3) % 4], centre + outer[k], centre + inner[k]}, 0,
-                     seed + ring * 8 + k);
+            layTriangle(mesh, materials[ring], centre + inner[(k + 3) % 4], centre + outer[k],
+                        centre + inner[k], ring < 2 ? 2 - static_cast<int>(ring) : 0,
+                        seed + ring * 64 + k);
         }
         std::copy(inner, inner + 4, outer);
     }

@@ -42,6 +42,10 @@ void addFrame(Mesh& mesh, const Opening& opening, double halfWidth, double heigh
         addBlock(mesh, Limestone, {-r - 0.22, opening.sill - 0.1, -opening.depth},
                  {r + 0.22, opening.sill, 0.14}, 0.012);
     }
+    if (opening.sill <= 0) {
+        // The threshold.
+        addBlock(mesh, RedMarble, {-r, -0.1, -opening.depth}, {r, 0.012, 0.02}, 0.006);
+    }
     Profile section({0, -opening.depth});
     section.line({0, 0.05});
     if (mesh.detail().shows(0.26)) {

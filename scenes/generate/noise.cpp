@@ -5,9 +5,22 @@
 namespace dirt::generate {
 namespace {
 
+/// The remainder, without a division for the values that are nearly always asked for.
 int wrap(int value, int period) {
+    if (value >= 0 && value < period) return value;
     const int rest = value % period;
     return rest < 0 ? rest + period : rest;
+}
+
+/// std::floor is a function call where the target has no instruction for it.
+int floorOf(double value) {
+    const int truncated = static_cast<int>(value);
+    return truncated - (value < truncated ? 1 : 0);
+}
+
+/// std::lerp promises more than noise needs, and takes branches for it.
+double mix(double a, double b, double t) {
+    return a + (b - a) * t;
 }
 
 double fade(double t) {
@@ -16,25 +29,11 @@ double fade(double t) {
 
 /// Eight directions suffice and need no table of sines.
 double gradientDot(std::uint32_t hash, double x, double y) {
-    constexpr double diagonal = 0.70710678118654752;
-    switch (hash >> 29) {
-    case 0:
-        return x;
-    case 1:
-        return -x;
-    case 2:
-        return y;
-    case 3:
-        return -y;
-    case 4:
-        return (x + y) * diagonal;
-    case 5:
-        return (x - y) * diagonal;
-    case 6:
-        return (y - x) * diagonal;
-    default:
-        return (-x - y) * diagonal;
-    }
+    constexpr double d = 0.70710678118654752;
+    constexpr double gradients[8][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},
+                                        {d, d}, {d, -d}, {-d, d}, {-d, -d}};
+    const auto& gradient = gradients[hash >> 29];
+    return gradient[0] * x + gradient[1] * y;
 }
 
 } // namespace
@@ -56,12 +55,12 @@ double hashRange(double low, double high, std::uint32_t a, std::uint32_t b, std:
 }
 
 double periodicNoise(glm::dvec2 point, int period, std::uint32_t seed) {
-    const double floorX = std::floor(point.x);
-    const double floorY = std::floor(point.y);
-    const double x = point.x - floorX;
-    const double y = point.y - floorY;
-    const int x0 = wrap(static_cast<int>(floorX), period);
-    const int y0 = wrap(static_cast<int>(floorY), period);
+    const int cellX = floorOf(point.x);
+    const int cellY = floorOf(point.y);
+    const double x = point.x - cellX;
+    const double y = point.y - cellY;
+    const int x0 = wrap(cellX, period);
+    const int y0 = wrap(cellY, period);
     const int x1 = wrap(x0 + 1, period);
     const int y1 = wrap(y0 + 1, period);
     const auto corner = [seed](int i, int j, double dx, double dy) {
@@ -69,9 +68,9 @@ double periodicNoise(glm::dvec2 point, int period, std::uint32_t seed) {
             hashBits(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), seed), dx, dy);
     };
     const double u = fade(x);
-    const double low = std::lerp(corner(x0, y0, x, y), corner(x1, y0, x - 1, y), u);
-    const double high = std::lerp(corner(x0, y1, x, y - 1), corner(x1, y1, x - 1, y - 1), u);
-    return 1.4 * std::lerp(low, high, fade(y));
+    const double low = mix(corner(x0, y0, x, y), corner(x1, y0, x - 1, y), u);
+    const double high = mix(corner(x0, y1, x, y - 1), corner(x1, y1, x - 1, y - 1), u);
+    return 1.4 * mix(low, high, fade(y));
 }
 
 double fractalNoise(glm::dvec2 unit, int period, int octaves, std::uint32_t seed,
@@ -85,33 +84,6 @@ double fractalNoise(glm::dvec2 unit, int period, int octaves, std::uint32_t seed
         weight *= persistence;
     }
     return sum;
-}
-
-CellSample cellNoise(glm::dvec2 unit, int period, std::uint32_t seed) {
-    const double x = unit.x * period;
-    const double y = unit.y * period;
-    const int cellX = static_cast<int>(std::floor(x));
-    const int cellY = static_cast<int>(std::floor(y));
-    double first = 1e9;
-    double second = 1e9;
-    std::uint32_t nearest = 0;
-    for (int j = cellY - 1; j <= cellY + 1; ++j) {
-        for (int i = cellX - 1; i <= cellX + 1; ++i) {
-            const auto hash = hashBits(static_cast<std::uint32_t>(wrap(i, period)),
-                                       static_cast<std::uint32_t>(wrap(j, period)), seed);
-            const double dx = i + hashUnit(hash, 1) - x;
-            const double dy = j + hashUnit(hash, 2) - y;
-            const double distance = std::sqrt(dx * dx + dy * dy);
-            if (distance < first) {
-                second = first;
-                first = distance;
-                nearest = hash;
-            } else if (distance < second) {
-                second = distance;
-            }
-        }
-    }
-    return {first, second - first, nearest};
 }
 
 } // namespace dirt::generate

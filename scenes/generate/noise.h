@@ -24,14 +24,4 @@ double periodicNoise(glm::dvec2 point, int period, std::uint32_t seed);
 double fractalNoise(glm::dvec2 unit, int period, int octaves, std::uint32_t seed,
                     double persistence = 0.5);
 
-/// What a point of the unit square sees of scattered cell centres, seamless.
-struct CellSample {
-    double nearest;     ///< distance to the nearest centre, in cells
-    double border;      ///< second nearest minus nearest: 0 on the cells' borders
-    std::uint32_t cell; ///< hash of the nearest centre
-};
-
-/// Worley's cellular noise with `period` by `period` cells.
-CellSample cellNoise(glm::dvec2 unit, int period, std::uint32_t seed);
-
 } // namespace dirt::generate
