@@ -84,9 +84,9 @@ void addArcades(Mesh& mesh) {
     const Mesh vault = makeGroinVault(detail, Brick, bay / 2, 1.45);
     const Mesh rib = makeRib(detail, Limestone, bay / 2, 1.45, 0.4);
     Mesh impost(detail);
-    addBlock(impost, Limestone, {-0.37, 0, -0.33}, {0.37, 0.12, 0.33}, 0.012);
-    if (detail.shows(0.125))
-        addBlock(impost, Limestone, {-0.34, 0.12, -0.30}, {0.34, 0.18, 0.30}, 0.008);
+    const bool stepped = detail.shows(0.125);
+    addBlock(impost, Limestone, {-0.37, 0, -0.33}, {0.37, stepped ? 0.12 : 0.18, 0.33}, 0.012);
+    if (stepped) addBlock(impost, Limestone, {-0.34, 0.12, -0.30}, {0.34, 0.18, 0.30}, 0.008);
     for (const BayPlace& place0 : bays()) {
         const auto& at = place0.transform;
         const auto id = place0.id;

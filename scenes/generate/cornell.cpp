@@ -32,7 +32,7 @@ Model makeCornell(const Detail& detail) {
     Model model{{{.name = "white", .diffuse = {0.725, 0.71, 0.68}},
                  {.name = "red", .diffuse = {0.63, 0.065, 0.05}},
                  {.name = "green", .diffuse = {0.14, 0.45, 0.091}},
-                 {.name = "lamp", .diffuse = {0.78, 0.78, 0.78}, .emission = {9, 7.2, 4.8}}},
+                 {.name = "lamp", .diffuse = {0.78, 0.78, 0.78}, .emission = {5, 4.2, 3}}},
                 Mesh(detail)};
     Mesh& mesh = model.mesh;
     addFace(mesh, White, {-1, 0, 1}, {1, 0, 1}, {-1, 0, -1});

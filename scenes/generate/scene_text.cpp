@@ -41,7 +41,7 @@ constexpr std::string_view cornell = R"(<?xml version="1.0" encoding="utf-8"?>
 
     <camera name="first_person" aperture="38" near="0.1" far="10" follow="default_user" primary="true"/>
 
-    <light name="lamp" type="spotlight" shadows="on" active="true" flux="16" color="1 0.85 0.62"
+    <light name="lamp" type="spotlight" shadows="on" active="true" flux="48" color="1 0.85 0.62"
         position="0 1.99 0" target="0 0 0" conical="true" aperture="150" penumbra="110"
         spotlight_exponent="1.0" resolution="1024" near_range="0.05" far_range="5"
         soft_shadow_size="0.1" constant_bias="0.002"/>
@@ -53,7 +53,7 @@ constexpr std::string_view cornell = R"(<?xml version="1.0" encoding="utf-8"?>
     <user name="default_user" control="roaming" linear_speed="0.5" angular_speed="1"
         position="0 1 3.85" target="0 1 0"/>
 
-    <tonemapping name="tone" key="1" white="2 2 2" auto="0" active="1"/>
+    <tonemapping name="tone" key="1.3" white="5 5 5" auto="0" active="1"/>
 
 </world>
 )";

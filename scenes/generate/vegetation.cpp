@@ -37,7 +37,7 @@ void addLeaf(Mesh& mesh, int material, Vec3 root, Vec3 along, Vec3 up, double le
     };
     // Grows slowly: more leaves matter more than finer ones.
     const int rows =
-        std::max(1, static_cast<int>(std::lround(3 * std::sqrt(mesh.detail().quality))));
+        std::max(2, static_cast<int>(std::lround(3 * std::sqrt(mesh.detail().quality))));
     mesh.addPatch(material, 2, rows, surface);
 }
 
@@ -85,7 +85,7 @@ Mesh makeLemonTree(const Detail& detail, std::uint32_t seed) {
     }
     // Leaves sit in a shell, drawn together into clumps, and look outwards and up to the light.
     const int leaves =
-        std::max(12, static_cast<int>(std::lround(1500 * std::pow(detail.quality, 1.6))));
+        std::max(10, static_cast<int>(std::lround(1500 * std::pow(detail.quality, 1.6))));
     const double size = 0.15 * std::pow(std::clamp(420.0 / leaves, 0.1, 30.0), 0.42);
     for (int k = 0; k < leaves; ++k) {
         const auto id = static_cast<std::uint32_t>(k);
