@@ -34,8 +34,8 @@ struct Listed {
 /// A depth below FLT_MIN may be flushed.
 double excess(const Fraction& exact, float f, double outwards) {
     const double value = exact.value();
-    const double ulp = std::ldexp(1.0, std::max(std::ilogb(value) - 23, -149));
     if (value < 2.0 * FLT_MIN) return f <= 2.0f * FLT_MIN ? 0.0 : 99.0;
+    const double ulp = std::ldexp(1.0, std::ilogb(value) - 23);
     return (f - value) * outwards / (16.0 * ulp);
 }
 
