@@ -2,13 +2,12 @@
 
 #include "core/io/load.h"
 #include "scenes/generate/generate.h"
+#include "tests/cli/program.h"
 #include "tests/io/test_scenes.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
-
-#include <unistd.h>
 
 namespace dirt::test {
 
@@ -44,11 +43,9 @@ inline std::vector<Place> places() {
 inline std::optional<Scene> loadPlace(const Place& place, double detail) {
     Scene scene;
     if (place.file.empty()) {
-        const auto folder =
-            std::filesystem::temp_directory_path() / ("dirt-places-" + std::to_string(getpid()));
-        const auto files = generateScene(place.name, detail, folder);
+        const TemporaryFolder folder;
+        generateScene(place.name, detail, folder.path());
         scene = loadScene(folder / (place.name + ".obj")).scene;
-        std::filesystem::remove_all(folder);
     } else {
         const auto file = scenesFolder() / place.file;
         if (!std::filesystem::exists(file)) return std::nullopt;
