@@ -104,8 +104,8 @@ void appendRays(const Viewpoint& place, glm::dvec3 direction, const CameraHints&
         }
 }
 
-/// A light at a third of the way's width beside and above the eye that brings the surfaces at
-/// \p distance to a radiance about that of the background.
+/// A light beside and above the eye that brings white paint at \p distance to a radiance of a
+/// third: with the background's, and what is nearer, it stays below white.
 Spotlight lightFor(const Camera& camera, double distance) {
     const CameraBasis basis = cameraBasis(camera);
     Spotlight light;
@@ -115,8 +115,9 @@ Spotlight lightFor(const Camera& camera, double distance) {
     light.penumbra = 120.0f;
     // Irradiance at the distance d is flux / (2 pi (1 - cos 80 degrees)) / d^2; white paint turns
     // it into radiance by 1 / pi.
-    light.flux = (float) (2.0 * std::numbers::pi * (1.0 - std::cos(80.0 * std::numbers::pi / 180)) *
-                          std::numbers::pi * distance * distance);
+    light.flux =
+        (float) (2.0 / 3.0 * std::numbers::pi * (1.0 - std::cos(80.0 * std::numbers::pi / 180)) *
+                 std::numbers::pi * distance * distance);
     return light;
 }
 

@@ -79,6 +79,11 @@ std::pair<double, double> distanceFraction(const Ray& ray, const Triangle& t) {
 } // namespace
 
 bool intersect(const Ray& ray, const Triangle& triangle, TriangleHit& out) {
+    // Repeated vertices are common in real files, tens of thousands in one place, and would be
+    // decided by the exact determinants each time.
+    if (triangle.a == triangle.b || triangle.b == triangle.c || triangle.c == triangle.a)
+        return false;
+
     EdgeWeights weights = edgeWeights(ray, triangle);
     const bool positive = weights.a > 0.0 || weights.b > 0.0 || weights.c > 0.0;
     const bool negative = weights.a < 0.0 || weights.b < 0.0 || weights.c < 0.0;

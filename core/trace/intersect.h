@@ -5,10 +5,11 @@
 
 namespace dirt {
 
-/// Bound of the error of a hit's t, relative: err(t) = kRelativeErrorT * t (T4). t is the exact
-/// value with a relative error of at most 2^-28, rounded once to float; results below FLT_MIN
-/// become zero.
-inline constexpr float kRelativeErrorT = 1.0f / (1 << 23);
+/// err(t) = kRelativeErrorT * t (T4): hits whose computed t are in one order have exact t in the
+/// same order, or apart by less. A hit's t is the exact value with a relative error of at most
+/// 2^-28, rounded once to float: 2^-24 + 2^-28 each, 2^-23 (1 + 2^-4) for two. Results below
+/// FLT_MIN become zero.
+inline constexpr float kRelativeErrorT = 0x1.2p-23f;
 
 /// A ray's intersection with one triangle.
 struct TriangleHit {
