@@ -23,8 +23,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 double upperBound(float t) {
     return (double) t * (1.0 + 2.0 * kRelativeErrorT) + (double) FLT_MIN;
 }
-double lowerBound(float t) {
-    return (double) t * (1.0 - 2.0 * kRelativeErrorT) - (double) FLT_MIN;
+
+/// Whether the exact t of a hit may lie in a visit to a tile.
+bool mayHold(const TileVisit& visit, float t) {
+    const double error = (double) t * kRelativeErrorT + (double) FLT_MIN;
+    return visit.begin <= t + error && t - error <= visit.end;
 }
 
 /// Visits the tiles of all views in the order of t.
@@ -166,7 +169,7 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
                 if (!located) {
                     best.view = (uint32_t) visit.view;
                     best.tile = (uint32_t) visit.tile;
-                    located = visit.begin <= limit && lowerBound(best.t) <= visit.end;
+                    located = mayHold(visit, best.t);
                 }
             }
         }
