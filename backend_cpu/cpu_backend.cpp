@@ -21,6 +21,7 @@ std::string CpuBackend::device() const {
 void CpuBackend::build(const FrameGeometry& geometry, const Camera& camera,
                        const GridSettings& settings) {
     geometry_ = &geometry;
+    triangleBytes_ = geometry.triangles.size() * sizeof(Triangle);
     passes_.clear();
     const auto timed = [&](const char* pass, auto&& run) {
         const auto start = std::chrono::steady_clock::now();
@@ -56,7 +57,7 @@ std::vector<BufferSize> CpuBackend::memory() const {
         for (size_t level = 0; level < chain.levels.size(); ++level)
             (level == 0 ? bounds : pyramid) +=
                 chain.levels[level].bounds.size() * sizeof(DepthBounds);
-    return {{"triangle buffer", geometry_ ? geometry_->triangles.size() * sizeof(Triangle) : 0},
+    return {{"triangle buffer", triangleBytes_},
             {"depth bounds", bounds},
             {"depth pyramid", pyramid},
             {"id buffer heads", grid_.heads.size() * sizeof(uint32_t)},

@@ -29,7 +29,8 @@ public:
 private:
     Executor& executor_;
     GridBuilder builder_;
-    const FrameGeometry* geometry_ = nullptr;
+    const FrameGeometry* geometry_ = nullptr; ///< alive while rays are traced, no longer
+    uint64_t triangleBytes_ = 0;
     Grid grid_;
     std::vector<PassTime> passes_;
 };

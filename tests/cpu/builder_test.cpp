@@ -68,6 +68,16 @@ TEST(GridBuilder, BuildsAgainWithoutTraces) {
     expectSameGrid(buildGrid(second, camera, settings), backend.grid());
 }
 
+TEST(GridBuilder, TellsItsMemoryWhenTheGeometryIsGone) {
+    ThreadPool pool(1);
+    CpuBackend backend(pool);
+    backend.build(randomGeometry(100, 0.5f, 3), Camera{}, GridSettings{});
+    uint64_t bytes = 0;
+    for (const auto& [buffer, size] : backend.memory())
+        if (buffer == "triangle buffer") bytes = size;
+    EXPECT_EQ(bytes, 100 * sizeof(Triangle));
+}
+
 TEST(GridBuilder, NoGeometry) {
     ThreadPool pool(2);
     CpuBackend backend(pool);
