@@ -20,7 +20,7 @@ struct Triangle {
 
 /// The grid frame: world position minus the eye, on world axes (full) or on the camera's axes
 /// right, down, forward (single), times one power of two that brings the largest |coordinate| of
-/// the scene into [1, 2). See docs and design: the frame's geometry.
+/// the scene into [1, 2). See docs/grid.md.
 struct GridFrame {
     glm::vec3 eye{0.0f};        ///< world space
     glm::vec3 right{1, 0, 0};   ///< rows of the rotation, world space,

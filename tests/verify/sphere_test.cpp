@@ -1,5 +1,5 @@
-// The watertightness measurement of design section 10: a sphere of 400 x 200 quads, radius 2,
-// rays from inside it. Every ray hits something: an answer "none" is a miss.
+// How watertight hits are, measured on a sphere of 400 x 200 quads, radius 2, with rays from inside
+// it. Every ray hits something: an answer "none" is a miss.
 
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
