@@ -6,8 +6,8 @@
 #include "core/frame/settings.h"
 #include "core/path/camera_rays.h"
 #include "core/path/spotlight.h"
-#include "core/trace/view_cone.h"
 #include "core/scene/scene.h"
+#include "core/trace/view_cone.h"
 
 #include <cstdint>
 #include <optional>
