@@ -7,8 +7,8 @@ namespace dirt {
 
 /// err(t) = kRelativeErrorT * t (T4): hits whose computed t are in one order have exact t in the
 /// same order, or apart by less. A hit's t is the exact value with a relative error of at most
-/// 2^-28, rounded once to float: 2^-24 + 2^-28 each, 2^-23 (1 + 2^-4) for two. Results below
-/// FLT_MIN become zero.
+/// 2^-28, rounded once to float: 2^-24 + 2^-28 each, 2^-23 (1 + 2^-4) for two, here rounded up to
+/// 2^-23 (1 + 2^-3). Results below FLT_MIN become zero.
 inline constexpr float kRelativeErrorT = 0x1.2p-23f;
 
 /// A ray's intersection with one triangle.
