@@ -1,8 +1,8 @@
 #include "backend_cpu/cpu_backend.h"
 
+#include "backend_cpu/direct_visibility.h"
+#include "backend_cpu/raster_fetch.h"
 #include "core/trace/traverse.h"
-
-#include <chrono>
 
 namespace dirt {
 namespace {
@@ -18,26 +18,24 @@ std::string CpuBackend::device() const {
            (executor_.threads() == 1 ? " thread" : " threads");
 }
 
-void CpuBackend::build(const FrameGeometry& geometry, const Camera& camera,
-                       const GridSettings& settings) {
-    geometry_ = &geometry;
-    triangleBytes_ = geometry.triangles.size() * sizeof(Triangle);
-    passes_.clear();
-    const auto timed = [&](const char* pass, auto&& run) {
-        const auto start = std::chrono::steady_clock::now();
-        run();
-        const std::chrono::duration<double, std::milli> ms =
-            std::chrono::steady_clock::now() - start;
-        passes_.push_back({pass, ms.count(), 0});
-    };
+void CpuBackend::clear(const Camera& camera, const GridSettings& settings) {
     grid_ = {}; // before the next one is allocated
-    timed("Clear", [&] { grid_ = makeEmptyGrid(camera, settings); });
-    timed("FillDepth", [&] { builder_.fillDepth(geometry, grid_); });
-    timed("FillDepthMipmap", [&] { builder_.fillDepthMipmap(grid_); });
-    timed("FillPrimitives", [&] { builder_.fillPrimitives(geometry, grid_); });
+    grid_ = makeEmptyGrid(camera, settings);
 }
 
-void CpuBackend::trace(std::span<const Ray> rays, std::span<Hit> hits) {
+void CpuBackend::fillDepth() {
+    builder_.fillDepth(*geometry_, grid_);
+}
+
+void CpuBackend::fillDepthMipmap() {
+    builder_.fillDepthMipmap(grid_);
+}
+
+void CpuBackend::fillPrimitives() {
+    builder_.fillPrimitives(*geometry_, grid_);
+}
+
+void CpuBackend::intersect(std::span<const Ray> rays, std::span<Hit> hits) {
     executor_.forRange(rays.size(), kRaysPerPiece, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) hits[i] = closestHit(grid_, *geometry_, rays[i]);
     });
@@ -51,17 +49,31 @@ void CpuBackend::occluded(std::span<const Ray> rays, std::span<const float> maxT
     });
 }
 
+void CpuBackend::directVisibility(uint32_t sample) {
+    rasterizeDirectVisibility(*frame_, executor_, sample, paths_.next);
+    counts_.rays += paths_.next.size();
+    for (const SurfacePoint& point : paths_.next) counts_.hits += point.found() ? 1 : 0;
+}
+
+void CpuBackend::fetch(int event) {
+    if (frame_->settings.fetch == Fetch::raster)
+        rasterFetch(*frame_, grid_, executor_, paths_);
+    else
+        HostBackend::fetch(event);
+}
+
 std::vector<BufferSize> CpuBackend::memory() const {
     uint64_t bounds = 0, pyramid = 0;
     for (const DepthPyramid& chain : grid_.pyramids)
         for (size_t level = 0; level < chain.levels.size(); ++level)
             (level == 0 ? bounds : pyramid) +=
                 chain.levels[level].bounds.size() * sizeof(DepthBounds);
-    return {{"triangle buffer", triangleBytes_},
-            {"depth bounds", bounds},
-            {"depth pyramid", pyramid},
-            {"id buffer heads", grid_.heads.size() * sizeof(uint32_t)},
-            {"id buffer", grid_.ids.size() * sizeof(uint32_t)}};
+    std::vector<BufferSize> sizes = HostBackend::memory();
+    sizes.insert(sizes.begin() + 1, {{"depth bounds", bounds},
+                                     {"depth pyramid", pyramid},
+                                     {"id buffer heads", grid_.heads.size() * sizeof(uint32_t)},
+                                     {"id buffer", grid_.ids.size() * sizeof(uint32_t)}});
+    return sizes;
 }
 
 } // namespace dirt

@@ -5,7 +5,6 @@
 #include "core/io/error.h"
 
 #include <atomic>
-#include <chrono>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -40,8 +39,6 @@ RTCRay toEmbree(const Ray& ray, float tfar) {
 struct EmbreeBackend::State {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
-    const FrameGeometry* geometry = nullptr;
-    double buildMs = 0.0;
     std::atomic<int64_t> bytes{0}; ///< what Embree has allocated now
     std::string error;             ///< the first that Embree reported
 
@@ -57,7 +54,8 @@ struct EmbreeBackend::State {
 };
 
 EmbreeBackend::EmbreeBackend(Executor& executor, bool robust, EmbreeDecision decision)
-    : executor_(executor), robust_(robust), decision_(decision), state_(std::make_unique<State>()) {
+    : HostBackend(executor), robust_(robust), decision_(decision),
+      state_(std::make_unique<State>()) {
     const std::string config = "threads=" + std::to_string(executor.threads());
     state_->device = rtcNewDevice(config.c_str());
     if (!state_->device) throw CapabilityError("Embree does not start on this machine");
@@ -90,11 +88,14 @@ std::string EmbreeBackend::device() const {
            " threads";
 }
 
-void EmbreeBackend::build(const FrameGeometry& geometry, const Camera&, const GridSettings&) {
-    const auto start = std::chrono::steady_clock::now();
+void EmbreeBackend::clear(const Camera&, const GridSettings&) {
+    if (state_->scene) rtcReleaseScene(state_->scene);
+    state_->scene = nullptr;
+}
+
+void EmbreeBackend::fillPrimitives() {
+    const FrameGeometry& geometry = *geometry_;
     State& state = *state_;
-    if (state.scene) rtcReleaseScene(state.scene);
-    state.geometry = &geometry;
     state.scene = rtcNewScene(state.device);
     int flags = RTC_SCENE_FLAG_NONE;
     if (robust_) flags |= RTC_SCENE_FLAG_ROBUST;
@@ -125,16 +126,14 @@ void EmbreeBackend::build(const FrameGeometry& geometry, const Camera&, const Gr
     rtcReleaseGeometry(mesh);
     rtcCommitScene(state.scene);
     state.throwOnError("to build");
-    state.buildMs =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-void EmbreeBackend::trace(std::span<const Ray> rays, std::span<Hit> hits) {
+void EmbreeBackend::intersect(std::span<const Ray> rays, std::span<Hit> hits) {
     const auto nearest = [&](const Ray& given) -> Hit {
         const Ray ray = withoutDenormals(given);
         if (!isTraceable(ray)) return {};
         constexpr float kFar = std::numeric_limits<float>::infinity();
-        QueryContext query(*state_->geometry, ray, kFar);
+        QueryContext query(*geometry_, ray, kFar);
         RTCRayHit result{toEmbree(ray, kFar), {}};
         result.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(state_->scene, &query.embree, &result);
@@ -152,7 +151,7 @@ void EmbreeBackend::occluded(std::span<const Ray> rays, std::span<const float> m
     const auto blocked = [&](const Ray& given, float limit) -> bool {
         const Ray ray = withoutDenormals(given);
         if (!isTraceable(ray) || !(limit > 0.0f)) return false;
-        QueryContext query(*state_->geometry, ray, limit);
+        QueryContext query(*geometry_, ray, limit);
         const bool core = decision_ == EmbreeDecision::core;
         RTCRay r = toEmbree(ray, core ? limit * kLookBehind : limit);
         rtcOccluded1(state_->scene, &query.embree, &r);
@@ -163,12 +162,10 @@ void EmbreeBackend::occluded(std::span<const Ray> rays, std::span<const float> m
     });
 }
 
-std::vector<PassTime> EmbreeBackend::buildPasses() const {
-    return {{"EmbreeBuild", state_->buildMs, 0}};
-}
-
 std::vector<BufferSize> EmbreeBackend::memory() const {
-    return {{"embree scene", (uint64_t) state_->bytes.load()}};
+    std::vector<BufferSize> sizes = HostBackend::memory();
+    sizes.emplace(sizes.begin() + 1, "embree scene", (uint64_t) state_->bytes.load());
+    return sizes;
 }
 
 } // namespace dirt

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/frame/backend.h"
-#include "core/frame/executor.h"
+#include "core/frame/host_backend.h"
 
 #include <memory>
 
@@ -14,14 +13,14 @@ enum class EmbreeDecision {
 };
 
 /// Embree 3 as a reference: a scene of one triangle geometry over the frame's triangle buffer,
-/// built anew by each build() at Embree's default quality on as many threads as the executor has.
+/// built anew each time at Embree's default quality on as many threads as the executor has.
 ///
 /// Under EmbreeDecision::core, of the triangles that Embree proposes along the ray those that the
 /// exact test refuses are dropped, and the smallest (t, id) is the hit; what Embree fails to
 /// propose stays missed. Under either, the origin's triangle and those with the same vertices are
 /// not hit, and rays with NaN or infinity hit nothing. In single view rays do not end at the
 /// view's borders.
-class EmbreeBackend final : public Backend {
+class EmbreeBackend final : public HostBackend {
 public:
     /// \p robust sets RTC_SCENE_FLAG_ROBUST. Throws CapabilityError if Embree does not start.
     explicit EmbreeBackend(Executor& executor, bool robust = false,
@@ -30,19 +29,17 @@ public:
 
     std::string name() const override;
     std::string device() const override;
-    void build(const FrameGeometry& geometry, const Camera& camera,
-               const GridSettings& settings) override;
-    void trace(std::span<const Ray> rays, std::span<Hit> hits) override;
+    void clear(const Camera& camera, const GridSettings& settings) override;
+    /// Embree's build.
+    void fillPrimitives() override;
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits) override;
     void occluded(std::span<const Ray> rays, std::span<const float> maxT,
                   std::span<uint8_t> result) override;
-    std::vector<PassTime> buildPasses() const override;
     std::vector<BufferSize> memory() const override;
-    uint64_t listEntries() const override { return 0; }
 
 private:
     struct State;
 
-    Executor& executor_;
     bool robust_;
     EmbreeDecision decision_;
     std::unique_ptr<State> state_;

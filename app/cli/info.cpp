@@ -49,10 +49,11 @@ Json vectorJson(glm::vec3 v) {
     return {v.x, v.y, v.z};
 }
 
-Json describe(const Input& input, const Backend& backend, const Executor& executor) {
+Json describe(const Input& input, const Backend& backend, const Executor& executor,
+              std::span<const PassTime> build) {
     const Scene& scene = input.scene;
     const SceneCounts counts = count(input);
-    Json json = reportOf(input, backend, executor);
+    Json json = reportOf(input, backend, executor, build);
     json["materials"] = scene.materials.size();
     json["textures"] = {{"found", scene.textures.size()},
                         {"named", counts.texturesNamed},
@@ -138,11 +139,10 @@ void runInfo(const InfoOptions& options) {
     common.quiet = true; // the warnings are part of what is printed
     const Input input = openInput(common, *executor);
     const auto backend = makeBackend(options.common, *executor);
-    const FrameGeometry geometry =
-        makeFrameGeometry(input.scene.mesh, input.scene.camera, input.settings.grid.mode);
-    backend->build(geometry, input.scene.camera, input.settings.grid);
+    const Scene& scene = input.scene;
+    const auto build = backend->build(scene.mesh, scene.camera, input.settings.grid);
 
-    const Json info = describe(input, *backend, *executor);
+    const Json info = describe(input, *backend, *executor, build);
     if (options.json) {
         std::printf("%s\n", info.dump(2).c_str());
         return;

@@ -2,7 +2,8 @@
 
 namespace dirt {
 
-Json reportOf(const Input& input, const Backend& backend, const Executor& executor) {
+Json reportOf(const Input& input, const Backend& backend, const Executor& executor,
+              std::span<const PassTime> build) {
     const GridSettings& grid = input.settings.grid;
     Json report;
     report["scene"] = input.scene.name;
@@ -21,7 +22,7 @@ Json reportOf(const Input& input, const Backend& backend, const Executor& execut
 
     double buildMs = 0.0;
     report["passes"] = Json::array();
-    for (const PassTime& pass : backend.buildPasses()) {
+    for (const PassTime& pass : build) {
         report["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"event", pass.event}});
         buildMs += pass.ms;
     }

@@ -3,6 +3,8 @@
 #include "app/cli/input.h"
 #include "core/frame/backend.h"
 
+#include <span>
+
 #include <nlohmann/json.hpp>
 
 namespace dirt {
@@ -10,8 +12,9 @@ namespace dirt {
 /// JSON object that keeps the order in which its keys were set.
 using Json = nlohmann::ordered_json;
 
-/// What every report says of its run: scene, triangles, settings, backend, threads and, of the
-/// backend's last build, the passes, the memory and the list entries.
-Json reportOf(const Input& input, const Backend& backend, const Executor& executor);
+/// What every report says of its run: scene, triangles, settings, backend, threads, the
+/// passes of the \p build, and the backend's memory and list entries as they are.
+Json reportOf(const Input& input, const Backend& backend, const Executor& executor,
+              std::span<const PassTime> build);
 
 } // namespace dirt

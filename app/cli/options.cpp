@@ -38,6 +38,13 @@ void addStructureOptions(CLI::App& command, CommonOptions& o) {
               "through the depth pyramid, or tile by tile (default: hierarchical)", [&o](size_t i) {
                   o.traversal = i == 0 ? Traversal::hierarchical : Traversal::linear;
               });
+    addChoice(command, "--primary", {"raster", "traced"},
+              "how the first surface is found (default: raster)",
+              [&o](size_t i) { o.primary = i == 0 ? Primary::raster : Primary::traced; });
+    addChoice(command, "--fetch", {"raster", "direct"},
+              "how material data is found: by rasterizing against the hits, or by primitive id "
+              "(default: raster)",
+              [&o](size_t i) { o.fetch = i == 0 ? Fetch::raster : Fetch::direct; });
     addChoice(command, "--precision", {"exact", "fast"}, "of hits (default: exact)", [](size_t i) {
         if (i == 1) throw CapabilityError("--precision fast: not built yet, only exact");
     });
@@ -85,6 +92,8 @@ RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& o) {
     grid.bins = o.bins.value_or(grid.bins);
     grid.maxMip = o.maxMip.value_or(grid.maxMip);
     grid.traversal = o.traversal.value_or(grid.traversal);
+    settings.primary = o.primary.value_or(settings.primary);
+    settings.fetch = o.fetch.value_or(settings.fetch);
     settings.samples = o.samples.value_or(settings.samples);
     settings.bounces = o.bounces.value_or(settings.bounces);
     settings.seed = o.seed.value_or(settings.seed);

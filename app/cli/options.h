@@ -33,6 +33,8 @@ struct CommonOptions {
     std::optional<int> bins;
     std::optional<int> maxMip;
     std::optional<Traversal> traversal;
+    std::optional<Primary> primary;
+    std::optional<Fetch> fetch;
     std::optional<int> samples;
     std::optional<int> bounces;
     std::optional<uint32_t> seed;

@@ -48,29 +48,26 @@ void writeImage(const std::string& path, const Input& input, const RenderResult&
 
 Json report(const Input& input, const Backend& backend, const Executor& executor,
             const RenderResult& result) {
-    Json json = reportOf(input, backend, executor);
+    Json json = reportOf(input, backend, executor, result.build);
     json["spp"] = result.samples;
     json["passes"] = Json::array();
     for (const PassTime& pass : result.passes)
         json["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"event", pass.event}});
     json["trace_ms"] = result.passMs("Trace");
     json["frame_ms"] = result.frameMs;
-    json["memory"]["shading buffers"] = result.shadingBytes;
-    json["memory"]["total"] = json["memory"]["total"].get<uint64_t>() + result.shadingBytes;
-    json["rays"] = result.rays;
-    json["hits"] = result.hits;
-    json["shadow_rays"] = result.shadowRays;
+    json["rays"] = result.counts.rays;
+    json["hits"] = result.counts.hits;
+    json["shadow_rays"] = result.counts.shadowRays;
     return json;
 }
 
-RenderResult render(const RenderOptions& options, const Input& input, Backend& backend,
-                    Executor& executor) {
+RenderResult render(const RenderOptions& options, const Input& input, Backend& backend) {
     ProgressBar bar(options.common.quiet);
     RenderHooks hooks;
     hooks.progress = [&bar](int done, int total) { bar.show(done, total); };
     hooks.stop = interrupted;
     bar.show(0, input.settings.samples);
-    return Renderer(input.scene, input.settings, backend, executor).render(hooks);
+    return Renderer(input.scene, input.settings, backend).render(hooks);
 }
 
 int runRender(const RenderOptions& options) {
@@ -87,7 +84,7 @@ int runRender(const RenderOptions& options) {
     const auto backend = makeBackend(options.common, *executor);
 
     catchInterrupts();
-    const RenderResult result = render(options, input, *backend, *executor);
+    const RenderResult result = render(options, input, *backend);
     const bool stopped = result.samples < input.settings.samples;
     if (stopped)
         std::fprintf(stderr, "dirt: stopped after %d of %d samples%s\n", result.samples,

@@ -58,18 +58,20 @@ bool runVerify(const VerifyOptions& options) {
     const Camera& camera = input.scene.camera;
     const FrameGeometry geometry = makeFrameGeometry(input.scene.mesh, camera, grid.mode);
 
-    std::vector<Backend*> backends{tested.get()};
-    for (const auto& peer : peers) backends.push_back(peer.get());
+    std::vector<Tracer*> tracers{tested.get()};
+    for (const auto& peer : peers) tracers.push_back(peer.get());
     std::vector<std::string> names;
-    for (Backend* backend : backends) {
-        backend->build(geometry, camera, grid);
-        names.push_back(backend->name());
+    std::vector<PassTime> build; // of the first
+    for (Tracer* tracer : tracers) {
+        const auto passes = tracer->build(geometry, camera, grid);
+        if (tracer == tested.get()) build = passes;
+        names.push_back(tracer->name());
     }
     names[0] = "dirt " + names[0];
 
     VerifySettings settings = options.settings;
     settings.seed = input.settings.seed;
-    Verifier verifier(geometry, camera, grid, backends, settings, *executor);
+    Verifier verifier(geometry, camera, grid, tracers, settings, *executor);
     std::FILE* const table = options.json ? stderr : stdout;
     const bool printed = !options.json || !options.common.quiet;
     Json results = Json::object();
@@ -83,7 +85,7 @@ bool runVerify(const VerifyOptions& options) {
         right = right && report.backends[0].errors() == 0;
     }
     if (options.json) {
-        Json report = reportOf(input, *tested, *executor);
+        Json report = reportOf(input, *tested, *executor, build);
         report["kinds"] = std::move(results);
         std::printf("%s\n", report.dump(2).c_str());
     }

@@ -123,7 +123,7 @@ Spotlight lightFor(const Camera& camera, double distance) {
 
 } // namespace
 
-Standpoint chooseStandpoint(const Mesh& mesh, Backend& backend, const CameraHints& hints) {
+Standpoint chooseStandpoint(const Mesh& mesh, Tracer& tracer, const CameraHints& hints) {
     const SceneExtent extent = extentOf(mesh, hints.up);
     const std::vector<Viewpoint> places = viewpoints(extent, hints);
 
@@ -135,14 +135,14 @@ Standpoint chooseStandpoint(const Mesh& mesh, Backend& backend, const CameraHint
     const FrameGeometry geometry = makeFrameGeometry(mesh, middle, ViewMode::full);
     GridSettings settings;
     settings.width = settings.height = settings.viewSize = 512;
-    backend.build(geometry, middle, settings);
+    tracer.build(geometry, middle, settings);
 
     std::vector<Ray> rays;
     for (const Viewpoint& place : places)
         for (glm::dvec3 direction : place.directions)
             appendRays(place, direction, hints, geometry.frame, rays);
     std::vector<Hit> hits(rays.size());
-    backend.trace(rays, hits);
+    tracer.intersect(rays, hits);
 
     const double height = std::max(extent.least(), 1e-30);
     glm::dvec3 eye = places.back().eye, direction = places.back().directions.back();

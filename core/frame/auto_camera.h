@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/frame/backend.h"
+#include "core/frame/tracer.h"
 #include "core/scene/scene.h"
 
 #include <optional>
@@ -27,9 +27,9 @@ struct Standpoint {
 
 /// Finds a place that shows \p mesh: of some hundred views, from inside its box and around it, the
 /// one whose rays hit most and spread widest in depth, from outside of solids and not with a
-/// surface before the lens. The light stands beside the eye. Builds \p backend's structure once and
+/// surface before the lens. The light stands beside the eye. Builds \p tracer's structure once and
 /// casts a few ten thousand rays. The same mesh gives the same standpoint; without triangles, or
 /// where nothing can be hit, the mesh's box is looked at from in front.
-Standpoint chooseStandpoint(const Mesh& mesh, Backend& backend, const CameraHints& hints);
+Standpoint chooseStandpoint(const Mesh& mesh, Tracer& tracer, const CameraHints& hints);
 
 } // namespace dirt

@@ -1,50 +1,80 @@
 #pragma once
 
+#include "core/frame/path_buffers.h"
+#include "core/frame/requirements.h"
 #include "core/frame/settings.h"
-#include "core/grid/geometry.h"
-#include "core/trace/ray.h"
+#include "core/frame/tracer.h"
+#include "core/grid/grid.h"
+#include "core/scene/scene.h"
 
 #include <cstdint>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace dirt {
 
-/// One line of the statistics of a build.
-struct PassTime {
-    std::string name;
-    double ms = 0.0;
-    int event = 0; ///< path event; 0 for the build
+/// What a frame asked so far.
+struct FrameCounts {
+    uint64_t rays = 0;       ///< that looked for their nearest hit, rasterized ones included
+    uint64_t hits = 0;       ///< of these, that found one
+    uint64_t shadowRays = 0; ///< that looked for any hit
 };
 
-/// A named buffer and its size, for the memory table.
-using BufferSize = std::pair<std::string, uint64_t>;
-
-/// What finds hits: builds a structure over a frame's geometry and casts rays through it.
-/// The same rays give the same bits for any number of threads.
-class Backend {
+/// Runs the passes of a frame, on buffers of its own that can be read and written from the host;
+/// so any pass can be run on another backend's data. What
+/// the passes of a sample read and write is said in passes.h, which defines them; their order is
+/// that of Renderer.
+class Backend : public Tracer {
 public:
-    virtual ~Backend() = default;
+    /// The construction passes in their order, over a mesh or over geometry that the host has
+    /// transformed.
+    std::vector<PassTime> build(const Mesh& mesh, const Camera& camera,
+                                const GridSettings& settings);
+    std::vector<PassTime> build(const FrameGeometry& geometry, const Camera& camera,
+                                const GridSettings& settings) final;
 
-    virtual std::string name() const = 0;
-    virtual std::string device() const = 0;
+    // The passes of construction. Clear makes all buffers of the structure empty.
+    virtual void clear(const Camera& camera, const GridSettings& settings) = 0;
+    /// The triangle buffer, the first part of FillDepth: from the mesh, or as the host has it
+    /// (alive and unchanged while it is in use).
+    virtual void transform(const Mesh& mesh, const Camera& camera, ViewMode mode) = 0;
+    virtual void setGeometry(const FrameGeometry& geometry) = 0;
+    virtual void fillDepth() = 0;
+    virtual void fillDepthMipmap() = 0;
+    virtual void fillPrimitives() = 0;
 
-    /// Builds everything anew. \p geometry must stay alive and unchanged while rays are traced.
-    virtual void build(const FrameGeometry& geometry, const Camera& camera,
-                       const GridSettings& settings) = 0;
+    /// Whether DirectVisibility and Fetch can rasterize; else the frame traces primary rays and
+    /// fetches by primitive id.
+    virtual bool rasterizes() const = 0;
 
-    /// Nearest hits. A ray with a NaN or an infinity in it hits nothing.
-    virtual void trace(std::span<const Ray> rays, std::span<Hit> hits) = 0;
+    /// Makes room for the paths of a frame over the structure that has been built. \p scene and
+    /// \p settings must outlive the frame's passes.
+    virtual void beginFrame(const Scene& scene, const RenderSettings& settings,
+                            const Requirements& requirements) = 0;
 
-    /// For each ray, 1 if anything is hit at t < maxT[i], else 0.
-    virtual void occluded(std::span<const Ray> rays, std::span<const float> maxT,
-                          std::span<uint8_t> result) = 0;
+    // The passes of a sample.
+    virtual void beginSample() = 0;
+    virtual void directVisibility(uint32_t sample) = 0;
+    virtual void depthMask(int event) = 0;
+    virtual void rays(uint32_t sample, int event) = 0;
+    virtual void trace(int event) = 0;
+    virtual void fetch(int event) = 0;
+    virtual void visibility(int event) = 0;
+    virtual void shade(int event) = 0;
+    virtual void shift() = 0;
+    virtual void resolve() = 0;
 
-    /// The passes of the last build, in order.
-    virtual std::vector<PassTime> buildPasses() const = 0;
-    /// Buffers of the structure, with their sizes in bytes.
+    // The buffers, from and to the host.
+    virtual FrameGeometry readGeometry() const = 0;
+    /// Throws CapabilityError where the structure is no grid.
+    virtual Grid readGrid() const = 0;
+    virtual void writeGrid(const Grid& grid) = 0;
+    /// Buffers that the frame does not need are empty.
+    virtual PathBuffers readPaths() const = 0;
+    virtual void writePaths(const PathBuffers& paths) = 0;
+
+    virtual FrameCounts counts() const = 0;
+    /// All buffers there are, with their sizes in bytes.
     virtual std::vector<BufferSize> memory() const = 0;
     /// Entries in all lists (0 where the structure has none).
     virtual uint64_t listEntries() const = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/frame/backend.h"
+#include "core/frame/tracer.h"
 
 #include <chrono>
 #include <string>

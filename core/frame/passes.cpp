@@ -1,19 +1,25 @@
 #include "core/frame/passes.h"
 
 #include "core/frame/compact.h"
+#include "core/path/surface.h"
 #include "core/trace/offset.h"
 #include "shaders/shared/random.h"
 #include "shaders/shared/sampling.h"
 
 #include <algorithm>
 #include <numbers>
+#include <span>
 
 namespace dirt {
 
 namespace {
 
-/// Paths in one piece of work.
+/// Pixels in one piece of work.
 constexpr size_t kGrain = 4096;
+
+/// Rays that are cast together: enough to keep many threads busy, few enough that they and their
+/// answers stay in the cache.
+constexpr size_t kRaysPerCast = 1 << 16;
 
 bool black(glm::vec3 color) {
     return !(color.x > 0.0f || color.y > 0.0f || color.z > 0.0f);
@@ -27,129 +33,192 @@ float shadingCosine(const SurfacePoint& point, glm::vec3 direction) {
     return dotProduct(point.geometricNormal, direction) > 0.0f && cosine > 0.0f ? cosine : 0.0f;
 }
 
-/// A ray that leaves the surface at \p hit.
-Ray leavingRay(const FrameGeometry& geometry, const Hit& hit, glm::vec3 direction) {
-    Ray ray;
-    ray.origin = offsetOrigin(geometry.triangles[hit.primitive], hit.u, hit.v, direction);
-    ray.direction = direction;
-    ray.skip = hit.primitive;
-    return ray;
+/// Radiance that \p point reflects of an unoccluded light.
+glm::vec3 reflected(const SurfacePoint& point, const LightSample& light) {
+    const float cosine = shadingCosine(point, light.direction);
+    return point.diffuse * std::numbers::inv_pi_v<float> * light.irradiance * cosine;
+}
+
+/// A ray that leaves the surface at \p point.
+Ray leavingRay(const FrameGeometry& geometry, const SurfacePoint& point, glm::vec3 direction) {
+    return {offsetOrigin(geometry.triangles[point.primitive], point.u, point.v, direction),
+            direction, point.primitive};
+}
+
+PathRay cameraRay(const FrameContext& frame, size_t pixel, glm::vec2 offset) {
+    const size_t width = (size_t) frame.settings.grid.width;
+    const Ray ray = frame.camera.through((float) (pixel % width) + offset.x,
+                                         (float) (pixel / width) + offset.y);
+    return {ray.origin, kNoPrimitive, ray.direction, 1.0f, glm::vec3(1.0f), 0.0f};
+}
+
+PathRay scatteredRay(const FrameContext& frame, uint32_t pixel, uint32_t sample, int event,
+                     const SurfacePoint& point, glm::vec3 throughput) {
+    const uint32_t seed = frame.settings.seed;
+    const float u = randomUnit(pixel, sample, (uint) event, kDimensionScatterU, seed);
+    const float v = randomUnit(pixel, sample, (uint) event, kDimensionScatterV, seed);
+    const glm::vec3 direction = cosineAround(point.shadingNormal, u, v);
+    const float cosine = shadingCosine(point, direction);
+    if (!(cosine > 0.0f)) return {};
+    const Ray ray = leavingRay(frame.geometry, point, direction);
+    // Lambert: the cosine and 1/pi of the reflectance cancel against the density.
+    return {ray.origin,
+            ray.skip,
+            direction,
+            cosine * std::numbers::inv_pi_v<float>,
+            throughput * point.diffuse,
+            0.0f};
+}
+
+bool goesSomewhere(const PathRay& ray) {
+    return ray.direction != glm::vec3(0.0f);
+}
+
+/// Calls \p cast(pixels) for slices of \p pixels.
+template <typename Cast>
+void inSlices(std::span<const uint32_t> pixels, const Cast& cast) {
+    for (size_t first = 0; first < pixels.size(); first += kRaysPerCast)
+        cast(pixels.subspan(first, std::min(kRaysPerCast, pixels.size() - first)));
 }
 
 } // namespace
 
-void passRays(const FrameContext& frame, uint32_t sample, PathBuffers& paths) {
-    const size_t width = (size_t) frame.settings.grid.width;
-    const size_t count = width * frame.settings.grid.height;
+FrameContext::FrameContext(const Scene& scene, const FrameGeometry& geometry,
+                           const RenderSettings& settings, const Requirements& requirements)
+    : scene(scene), geometry(geometry), settings(settings), requirements(requirements),
+      camera(scene.camera, settings.grid.width, settings.grid.height, settings.grid.mode) {
+    if (settings.grid.mode == ViewMode::single)
+        view.emplace(makeViews(settings.grid, scene.camera).front());
+    if (requirements.light) light.emplace(scene.lights.front(), geometry.frame);
+}
+
+void passDepthMask(Executor& executor, int event, PathBuffers& paths) {
+    executor.forRange(paths.mask.size(), kGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            paths.mask[i] = (event == 1 || paths.mask[i]) && paths.current[i].found() &&
+                            !black(paths.current[i].diffuse);
+    });
+}
+
+void passRays(const FrameContext& frame, Executor& executor, uint32_t sample, int event,
+              PathBuffers& paths) {
     const glm::vec2 offset = subPixelOffset(sample, frame.settings.seed);
-    paths.resize(count);
-    frame.executor.forRange(count, kGrain, [&](size_t begin, size_t end) {
+    executor.forRange(paths.rays.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-            paths.radiance[i] = glm::vec3(0.0f);
-            paths.throughput[i] = glm::vec3(1.0f);
-            paths.pixels[i] = (uint32_t) i;
-            paths.rays[i] = frame.camera.through((float) (i % width) + offset.x,
-                                                 (float) (i / width) + offset.y);
+            PathRay& ray = paths.rays[i];
+            if (event == 0)
+                ray = cameraRay(frame, i, offset);
+            else if (paths.mask[i])
+                ray = scatteredRay(frame, (uint32_t) i, sample, event, paths.current[i],
+                                   event == 1 ? glm::vec3(1.0f) : ray.throughput);
+            else
+                ray = {};
         }
     });
 }
 
-void passDepthMask(const FrameContext& frame, uint32_t sample, int event, PathBuffers& paths) {
-    const uint32_t seed = frame.settings.seed;
-    const auto goesOn = [&](size_t i) {
-        if (!paths.hits[i].found() || black(paths.points[i].diffuse)) return false;
-        const SurfacePoint& point = paths.points[i];
-        const uint32_t pixel = paths.pixels[i];
-        const float u = randomUnit(pixel, sample, (uint) event, kDimensionScatterU, seed);
-        const float v = randomUnit(pixel, sample, (uint) event, kDimensionScatterV, seed);
-        paths.directions[i] = cosineAround(point.shadingNormal, u, v);
-        return shadingCosine(point, paths.directions[i]) > 0.0f;
-    };
-    const auto alive = compact(frame.executor, paths.rays.size(), kGrain, goesOn);
+void passTrace(const FrameContext& frame, Executor& executor, Tracer& tracer, int event,
+               PathBuffers& paths, FrameCounts& counts) {
+    executor.forRange(paths.hits.size(), kGrain, [&](size_t begin, size_t end) {
+        std::fill(paths.hits.begin() + begin, paths.hits.begin() + end, Hit{});
+    });
+    const auto pixels = compact(executor, paths.rays.size(), kGrain, [&](size_t i) {
+        return paths.alive(event, i) && goesSomewhere(paths.rays[i]);
+    });
+    std::vector<Ray> rays(std::min(kRaysPerCast, pixels.size()));
+    std::vector<Hit> hits(rays.size());
+    inSlices(pixels, [&](std::span<const uint32_t> slice) {
+        const size_t count = slice.size();
+        executor.forRange(count, kGrain, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                const PathRay& ray = paths.rays[slice[i]];
+                rays[i] = {ray.origin, ray.direction, ray.skip};
+            }
+        });
+        tracer.intersect({rays.data(), count}, {hits.data(), count});
+        executor.forRange(count, kGrain, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                const bool seen =
+                    event == 0 || !frame.view || frame.view->part(rays[i]).holds(hits[i].t);
+                if (seen) paths.hits[slice[i]] = hits[i];
+            }
+        });
+        for (uint32_t pixel : slice) counts.hits += paths.hits[pixel].found() ? 1 : 0;
+    });
+    counts.rays += pixels.size();
+}
 
-    std::vector<uint32_t> pixels(alive.size());
-    std::vector<Ray> rays(alive.size());
-    frame.executor.forRange(alive.size(), kGrain, [&](size_t begin, size_t end) {
-        for (size_t j = begin; j < end; ++j) {
-            const uint32_t i = alive[j];
-            pixels[j] = paths.pixels[i];
-            rays[j] = leavingRay(frame.geometry, paths.hits[i], paths.directions[i]);
-            // Lambert: the cosine and 1/pi of the reflectance cancel against the density.
-            paths.throughput[pixels[j]] *= paths.points[i].diffuse;
+void passFetch(const FrameContext& frame, Executor& executor, PathBuffers& paths) {
+    executor.forRange(paths.hits.size(), kGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            Hit& hit = paths.hits[i];
+            paths.next[i] = {};
+            if (!hit.found()) continue;
+            paths.next[i] = fetchSurface(frame.scene, frame.geometry, paths.rays[i].direction,
+                                         hit.primitive, hit.u, hit.v);
+            ++hit.fetches;
         }
     });
-    paths.pixels.swap(pixels);
-    paths.rays.swap(rays);
 }
 
-void passTrace(const FrameContext& frame, int event, PathBuffers& paths) {
-    paths.hits.resize(paths.rays.size());
-    frame.backend.trace(paths.rays, paths.hits);
-    if (event == 0 || !frame.view) return;
-    frame.executor.forRange(paths.rays.size(), kGrain, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i)
-            if (!frame.view->part(paths.rays[i]).holds(paths.hits[i].t)) paths.hits[i] = Hit{};
-    });
-}
-
-void passFetch(const FrameContext& frame, PathBuffers& paths) {
-    frame.executor.forRange(paths.hits.size(), kGrain, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i)
-            if (paths.hits[i].found())
-                paths.points[i] =
-                    fetchSurface(frame.scene, frame.geometry, paths.rays[i], paths.hits[i]);
-    });
-}
-
-void passVisibility(const FrameContext& frame, PathBuffers& paths) {
-    paths.shadowPaths.clear();
+void passVisibility(const FrameContext& frame, Executor& executor, Tracer& tracer, int event,
+                    PathBuffers& paths, FrameCounts& counts) {
     if (!frame.light) return;
-    const auto lit = [&](size_t i) {
-        if (!paths.hits[i].found()) return false;
-        const SurfacePoint& point = paths.points[i];
-        const LightSample light = frame.light->sample(point.position);
-        const float cosine = shadingCosine(point, light.direction);
-        paths.direct[i] = point.diffuse * std::numbers::inv_pi_v<float> * light.irradiance * cosine;
-        paths.directions[i] = light.toLight;
-        return !black(paths.direct[i]);
-    };
-    paths.shadowPaths = compact(frame.executor, paths.hits.size(), kGrain, lit);
-
-    const size_t count = paths.shadowPaths.size();
-    paths.shadowRays.resize(count);
-    paths.shadowMaxT.resize(count);
-    paths.occluded.resize(count);
-    frame.executor.forRange(count, kGrain, [&](size_t begin, size_t end) {
-        for (size_t s = begin; s < end; ++s) {
-            const uint32_t i = paths.shadowPaths[s];
-            Ray ray = leavingRay(frame.geometry, paths.hits[i], paths.directions[i]);
-            ray.direction = frame.light->position() - ray.origin;
-            paths.shadowRays[s] = ray;
-            paths.shadowMaxT[s] = frame.view ? std::min(frame.view->part(ray).end, 1.0f) : 1.0f;
-        }
+    const auto pixels = compact(executor, paths.next.size(), kGrain, [&](size_t i) {
+        paths.visibility[i] = 0;
+        const SurfacePoint& point = paths.next[i];
+        return paths.alive(event, i) && point.found() &&
+               !black(reflected(point, frame.light->sample(point.position)));
     });
-    frame.backend.occluded(paths.shadowRays, paths.shadowMaxT, paths.occluded);
+    std::vector<Ray> rays(std::min(kRaysPerCast, pixels.size()));
+    std::vector<float> maxT(rays.size());
+    std::vector<uint8_t> occluded(rays.size());
+    inSlices(pixels, [&](std::span<const uint32_t> slice) {
+        const size_t count = slice.size();
+        executor.forRange(count, kGrain, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                const SurfacePoint& point = paths.next[slice[i]];
+                Ray ray =
+                    leavingRay(frame.geometry, point, frame.light->position() - point.position);
+                ray.direction = frame.light->position() - ray.origin;
+                rays[i] = ray;
+                maxT[i] = frame.view ? std::min(frame.view->part(ray).end, 1.0f) : 1.0f;
+            }
+        });
+        tracer.occluded({rays.data(), count}, {maxT.data(), count}, {occluded.data(), count});
+        for (size_t i = 0; i < count; ++i) paths.visibility[slice[i]] = occluded[i] ? 0 : 1;
+    });
+    counts.shadowRays += pixels.size();
 }
 
-void passShade(const FrameContext& frame, int event, PathBuffers& paths) {
+void passShade(const FrameContext& frame, Executor& executor, int event, PathBuffers& paths) {
     // In single mode a secondary ray that leaves the view returns nothing.
     const bool seesBackground = event == 0 || frame.settings.grid.mode == ViewMode::full;
-    frame.executor.forRange(paths.hits.size(), kGrain, [&](size_t begin, size_t end) {
+    executor.forRange(paths.next.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-            const uint32_t pixel = paths.pixels[i];
-            if (paths.hits[i].found())
-                paths.radiance[pixel] += paths.throughput[pixel] * paths.points[i].emission;
+            if (!paths.alive(event, i)) continue;
+            const SurfacePoint& point = paths.next[i];
+            const glm::vec3 throughput = event == 0 ? glm::vec3(1.0f) : paths.rays[i].throughput;
+            if (point.found())
+                paths.radiance[i] += throughput * point.emission;
             else if (seesBackground)
-                paths.radiance[pixel] += paths.throughput[pixel] * frame.scene.background;
+                paths.radiance[i] += throughput * frame.scene.background;
+            if (frame.light && paths.visibility[i])
+                paths.radiance[i] +=
+                    throughput * reflected(point, frame.light->sample(point.position));
         }
     });
-    frame.executor.forRange(paths.shadowPaths.size(), kGrain, [&](size_t begin, size_t end) {
-        for (size_t s = begin; s < end; ++s) {
-            if (paths.occluded[s]) continue;
-            const uint32_t i = paths.shadowPaths[s];
-            const uint32_t pixel = paths.pixels[i];
-            paths.radiance[pixel] += paths.throughput[pixel] * paths.direct[i];
-        }
+}
+
+void passShift(PathBuffers& paths) {
+    if (paths.current.empty()) return;
+    if (!paths.previous.empty()) paths.previous.swap(paths.current);
+    paths.current.swap(paths.next);
+}
+
+void passResolve(Executor& executor, PathBuffers& paths) {
+    executor.forRange(paths.image.size(), kGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) paths.image[i] += paths.radiance[i];
     });
 }
 

@@ -2,11 +2,8 @@
 
 #include "core/frame/backend.h"
 #include "core/frame/executor.h"
-#include "core/frame/path_buffers.h"
-#include "core/frame/settings.h"
 #include "core/path/camera_rays.h"
 #include "core/path/spotlight.h"
-#include "core/scene/scene.h"
 #include "core/trace/view_cone.h"
 
 #include <cstdint>
@@ -14,39 +11,52 @@
 
 namespace dirt {
 
-/// What the passes of a frame read and never change.
+/// What the passes of a sample read and never change.
 struct FrameContext {
     const Scene& scene;
     const FrameGeometry& geometry;
     const RenderSettings& settings;
-    Backend& backend;
-    Executor& executor;
+    Requirements requirements;
     CameraRays camera;
     std::optional<GridSpotlight> light;
     std::optional<ViewCone> view; ///< single mode: where secondary and shadow rays end
+
+    FrameContext(const Scene& scene, const FrameGeometry& geometry, const RenderSettings& settings,
+                 const Requirements& requirements);
 };
 
-// The passes of one path event, each over all alive paths. Their order is Frame's.
+// The passes of a sample on the host, each over all pixels: the definition of what every backend
+// computes. Each writes all records of what it writes; a pixel without a path gets an empty one.
 
-/// Event 0: one ray from the eye through every pixel.
-void passRays(const FrameContext& frame, uint32_t sample, PathBuffers& paths);
+/// Mask of the pixels whose path goes on to event \p event >= 1: those that have reached a surface,
+/// G[k], that is not black. Reads and writes the mask, which event 1 finds full.
+void passDepthMask(Executor& executor, int event, PathBuffers& paths);
 
-/// Events from 1: keeps the paths that go on, in order, and chooses their directions. A path ends
-/// where it missed, where the surface is black, or where the direction would leave through the
-/// surface. \p event is that of the new rays.
-void passDepthMask(const FrameContext& frame, uint32_t sample, int event, PathBuffers& paths);
+/// The rays of \p event: from the eye for event 0; else from G[k], in directions that its lobe
+/// chooses. One that would leave through the surface gets no direction: the path ends.
+void passRays(const FrameContext& frame, Executor& executor, uint32_t sample, int event,
+              PathBuffers& paths);
 
-/// Nearest hits of the rays. In single mode a secondary ray that leaves the view hits nothing.
-void passTrace(const FrameContext& frame, int event, PathBuffers& paths);
+/// Nearest hits of the rays, which it adds to \p counts. In single mode a secondary ray that
+/// leaves the view hits nothing.
+void passTrace(const FrameContext& frame, Executor& executor, Tracer& tracer, int event,
+               PathBuffers& paths, FrameCounts& counts);
 
-/// Surface points of the hits, by primitive id.
-void passFetch(const FrameContext& frame, PathBuffers& paths);
+/// G[k+1] of each hit, by primitive id; counts the fetch in the hit's record.
+void passFetch(const FrameContext& frame, Executor& executor, PathBuffers& paths);
 
-/// What the light would add to each path, and whether it is occluded. Shadow rays are traced only
-/// where it would add something; in single mode they end where they leave the view.
-void passVisibility(const FrameContext& frame, PathBuffers& paths);
+/// Whether the light reaches G[k+1]; asked only where it would add something. In single mode a
+/// shadow ray ends where it leaves the view.
+void passVisibility(const FrameContext& frame, Executor& executor, Tracer& tracer, int event,
+                    PathBuffers& paths, FrameCounts& counts);
 
-/// Adds emission, unoccluded light and background to the radiance of each path's pixel.
-void passShade(const FrameContext& frame, int event, PathBuffers& paths);
+/// Adds what G[k+1] emits and reflects of the light, or the background, to the pixel's radiance.
+void passShade(const FrameContext& frame, Executor& executor, int event, PathBuffers& paths);
+
+/// Shifts the three points left.
+void passShift(PathBuffers& paths);
+
+/// Adds the sample's radiance to the image.
+void passResolve(Executor& executor, PathBuffers& paths);
 
 } // namespace dirt

@@ -1,41 +1,38 @@
 #pragma once
 
-#include "core/path/surface.h"
-#include "core/trace/ray.h"
+#include "core/frame/requirements.h"
+#include "shaders/shared/layouts.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 namespace dirt {
 
-/// The state of all paths of one sample, one per image pixel. What is needed per pixel is indexed
-/// by pixel; what is needed per ray by the position in the list of alive paths.
+/// The state of all paths of one sample, and the image: one record per image pixel, row-major.
+/// A buffer that the frame does not require is empty. Between Shade and the shift of path event k
+/// the three points are G[k-1], G[k] and G[k+1].
 struct PathBuffers {
-    std::vector<glm::vec3> radiance;   ///< per pixel: what the sample has gathered
-    std::vector<glm::vec3> throughput; ///< per pixel: weight of what its ray finds
+    std::vector<SurfacePoint> previous, current, next; ///< shading buffer
+    std::vector<uint8_t> mask;                         ///< 1: the pixel's path is alive
+    std::vector<PathRay> rays;
+    std::vector<Hit> hits;
+    std::vector<uint8_t> visibility; ///< 1: the light reaches the newest point, and it matters
+    std::vector<glm::vec3> radiance; ///< what the sample has gathered
+    std::vector<glm::vec3> image;    ///< sum of the finished samples
 
-    /// Alive paths of the current event, in increasing order of pixel.
-    std::vector<uint32_t> pixels; ///< owner
-    std::vector<Ray> rays;
-    std::vector<Hit> hits;             ///< hit buffer
-    std::vector<SurfacePoint> points;  ///< shading buffer: G[k] of this event's hit
-    std::vector<glm::vec3> directions; ///< of the next event's rays
+    /// Room for what \p requirements ask for; everything empty.
+    void allocate(const Requirements& requirements, size_t pixels);
 
-    /// Shadow rays of the current event.
-    std::vector<uint32_t> shadowPaths; ///< index of the alive path
-    std::vector<Ray> shadowRays;       ///< from the point to the light at t = 1
-    std::vector<float> shadowMaxT;
-    std::vector<uint8_t> occluded;
-    std::vector<glm::vec3> direct; ///< per alive path: radiance if the light is not occluded
+    /// Bytes of each buffer that is not empty.
+    std::vector<std::pair<std::string, uint64_t>> sizes() const;
 
-    /// Room for all pixels of an image.
-    void resize(size_t pixelCount);
-
-    /// Bytes held.
-    size_t bytes() const;
+    /// Whether the path of \p pixel takes part in path event \p event.
+    bool alive(int event, size_t pixel) const { return event == 0 || mask[pixel] != 0; }
 };
 
 } // namespace dirt

@@ -1,71 +1,75 @@
 #include "core/frame/renderer.h"
 
 #include "core/frame/pass_clock.h"
-#include "core/frame/passes.h"
 
-#include <algorithm>
 #include <chrono>
 
 namespace dirt {
 
 namespace {
 
-/// One frame in the making.
-class Frame {
+/// The samples of one frame in the making.
+class Samples {
 public:
-    Frame(const FrameContext& context, const RenderHooks& hooks, PassClock& clock,
-          RenderResult& result)
-        : context_(context), hooks_(hooks), clock_(clock), result_(result) {}
+    Samples(const RenderSettings& settings, bool rasterPrimary, Backend& backend,
+            const RenderHooks& hooks, PassClock& clock)
+        : settings_(settings), rasterPrimary_(rasterPrimary), backend_(backend), hooks_(hooks),
+          clock_(clock) {}
 
     /// The order of the passes of one sample. False if it was given up.
-    bool sample(uint32_t index) {
-        clock_.time("Rays", 0, [&] { passRays(context_, index, paths_); });
-        if (!event(index, 0)) return false;
-        for (int k = 1; k < context_.settings.bounces; ++k) {
-            clock_.time("DepthMask", k, [&] { passDepthMask(context_, index, k, paths_); });
-            if (!event(index, k)) return false;
+    bool run(uint32_t sample) {
+        backend_.beginSample();
+        if (rasterPrimary_)
+            time("DirectVisibility", 0, [&] { backend_.directVisibility(sample); });
+        else
+            findPoints(sample, 0);
+        if (!lightPoints(sample, 0)) return false;
+        for (int k = 1; k < settings_.bounces; ++k) {
+            time("DepthMask", k, [&] { backend_.depthMask(k); });
+            findPoints(sample, k);
+            if (!lightPoints(sample, k)) return false;
         }
+        time("Resolve", 0, [&] { backend_.resolve(); });
         return true;
     }
 
-    /// Adds the finished sample to \p sum.
-    void accumulate(std::vector<glm::vec3>& sum) {
-        clock_.time("Resolve", 0, [&] {
-            context_.executor.forRange(sum.size(), 4096, [&](size_t begin, size_t end) {
-                for (size_t i = begin; i < end; ++i) sum[i] += paths_.radiance[i];
-            });
-        });
-    }
-
-    size_t bytes() const { return paths_.bytes(); }
-
 private:
-    bool stopped() const { return hooks_.stop && hooks_.stop(); }
+    template <typename Pass>
+    void time(const char* name, int event, const Pass& pass) {
+        if (!stopped()) clock_.time(name, event, pass);
+    }
+    bool stopped() { return stopped_ = stopped_ || (hooks_.stop && hooks_.stop()); }
 
-    bool event(uint32_t sample, int k) {
-        if (stopped()) return false;
-        clock_.time("Trace", k, [&] { passTrace(context_, k, paths_); });
-        countRays();
-        if (hooks_.observe) hooks_.observe({sample, k, paths_.pixels, paths_.rays, paths_.hits});
-        clock_.time("Fetch", k, [&] { passFetch(context_, paths_); });
-        if (stopped()) return false;
-        clock_.time("Visibility", k, [&] { passVisibility(context_, paths_); });
-        clock_.time("Shade", k, [&] { passShade(context_, k, paths_); });
-        result_.shadowRays += paths_.shadowPaths.size();
-        return !stopped();
+    /// G[k+1] where the rays of path event \p k hit.
+    void findPoints(uint32_t sample, int k) {
+        time("Rays", k, [&] { backend_.rays(sample, k); });
+        time("Trace", k, [&] { backend_.trace(k); });
+        time("Fetch", k, [&] { backend_.fetch(k); });
     }
 
-    void countRays() {
-        result_.rays += paths_.rays.size();
-        for (const Hit& hit : paths_.hits) result_.hits += hit.found() ? 1 : 0;
+    bool lightPoints(uint32_t sample, int k) {
+        time("Visibility", k, [&] { backend_.visibility(k); });
+        time("Shade", k, [&] { backend_.shade(k); });
+        if (stopped()) return false;
+        if (hooks_.observe) hooks_.observe(sample, k);
+        backend_.shift();
+        return true;
     }
 
-    const FrameContext& context_;
+    const RenderSettings& settings_;
+    bool rasterPrimary_;
+    Backend& backend_;
     const RenderHooks& hooks_;
     PassClock& clock_;
-    RenderResult& result_;
-    PathBuffers paths_;
+    bool stopped_ = false;
 };
+
+Image meanImage(const Backend& backend, const GridSettings& grid, int samples) {
+    Image image{grid.width, grid.height, backend.readPaths().image};
+    const float weight = samples > 0 ? 1.0f / (float) samples : 0.0f;
+    for (glm::vec3& pixel : image.pixels) pixel *= weight;
+    return image;
+}
 
 } // namespace
 
@@ -76,46 +80,27 @@ double RenderResult::passMs(const char* name) const {
     return sum;
 }
 
-Renderer::Renderer(const Scene& scene, const RenderSettings& settings, Backend& backend,
-                   Executor& executor)
-    : scene_(scene), settings_(settings), backend_(backend), executor_(executor) {}
+Renderer::Renderer(const Scene& scene, const RenderSettings& settings, Backend& backend)
+    : scene_(scene), settings_(settings), backend_(backend) {}
 
 RenderResult Renderer::render(const RenderHooks& hooks) {
     const auto start = std::chrono::steady_clock::now();
-    const GridSettings& grid = settings_.grid;
     RenderResult result;
     PassClock clock;
+    result.build = backend_.build(scene_.mesh, scene_.camera, settings_.grid);
 
-    const FrameGeometry geometry = makeFrameGeometry(scene_.mesh, scene_.camera, grid.mode);
-    backend_.build(geometry, scene_.camera, grid);
-    result.passes = backend_.buildPasses();
-
-    FrameContext context{.scene = scene_,
-                         .geometry = geometry,
-                         .settings = settings_,
-                         .backend = backend_,
-                         .executor = executor_,
-                         .camera = {scene_.camera, grid.width, grid.height, grid.mode},
-                         .light = {},
-                         .view = {}};
-    if (grid.mode == ViewMode::single) context.view.emplace(makeViews(grid, scene_.camera).front());
-    if (!scene_.lights.empty()) context.light.emplace(scene_.lights.front(), geometry.frame);
-
-    result.image = {grid.width, grid.height,
-                    std::vector<glm::vec3>((size_t) grid.width * grid.height, glm::vec3(0.0f))};
-    Frame frame(context, hooks, clock, result);
-    while (result.samples < settings_.samples && frame.sample((uint32_t) result.samples)) {
-        frame.accumulate(result.image.pixels);
+    const Requirements need = requirementsOf(scene_, settings_, backend_.rasterizes());
+    backend_.beginFrame(scene_, settings_, need);
+    Samples samples(settings_, !need.tracedPrimary, backend_, hooks, clock);
+    while (result.samples < settings_.samples && samples.run((uint32_t) result.samples)) {
         ++result.samples;
         if (hooks.progress) hooks.progress(result.samples, settings_.samples);
     }
-    if (result.samples > 0) {
-        const float weight = 1.0f / (float) result.samples;
-        for (glm::vec3& pixel : result.image.pixels) pixel *= weight;
-    }
+    result.image = meanImage(backend_, settings_.grid, result.samples);
+    result.counts = backend_.counts();
 
+    result.passes = result.build;
     result.passes.insert(result.passes.end(), clock.times().begin(), clock.times().end());
-    result.shadingBytes = frame.bytes();
     result.frameMs =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return result;

@@ -21,12 +21,21 @@ struct GridSettings {
     Traversal traversal = Traversal::hierarchical;
 };
 
-/// The choices that shape the image.
+/// How primary rays find their surface: by rasterization, or traced like all others.
+enum class Primary { raster, traced };
+
+/// How material data reaches a hit: by rasterizing the scene against the hit lists, or by
+/// primitive id.
+enum class Fetch { raster, direct };
+
+/// The choices that shape the image, and two that only change how it is found.
 struct RenderSettings {
     GridSettings grid;
     int samples = 16; ///< per pixel
     int bounces = 3;  ///< 1: direct light only
     uint32_t seed = 0;
+    Primary primary = Primary::raster;
+    Fetch fetch = Fetch::raster;
 };
 
 } // namespace dirt

@@ -24,9 +24,10 @@ glm::vec3 triangleNormal(const Triangle& triangle) {
 }
 
 template <typename Vector>
-Vector interpolate(const std::vector<Vector>& values, const Corners& corners, const Hit& hit) {
-    return values[corners[0]] * (1.0f - hit.u - hit.v) + values[corners[1]] * hit.u +
-           values[corners[2]] * hit.v;
+Vector interpolate(const std::vector<Vector>& values, const Corners& corners,
+                   const SurfacePoint& at) {
+    return values[corners[0]] * (1.0f - at.u - at.v) + values[corners[1]] * at.u +
+           values[corners[2]] * at.v;
 }
 
 bool present(const Corners& corners) {
@@ -37,37 +38,41 @@ glm::vec3 facing(glm::vec3 normal, glm::vec3 towards) {
     return dotProduct(normal, towards) < 0.0f ? -normal : normal;
 }
 
-glm::vec3 shadingNormal(const Scene& scene, const GridFrame& frame, const Hit& hit,
-                        glm::vec3 geometric) {
+glm::vec3 shadingNormal(const Scene& scene, const GridFrame& frame, const SurfacePoint& point) {
+    const glm::vec3 geometric = point.geometricNormal;
     if (scene.mesh.normals.empty()) return geometric;
-    const Corners& corners = scene.mesh.normalIndices[hit.primitive];
+    const Corners& corners = scene.mesh.normalIndices[point.primitive];
     if (!present(corners)) return geometric;
-    const glm::vec3 n = frame.directionToGrid(interpolate(scene.mesh.normals, corners, hit));
+    const glm::vec3 n = frame.directionToGrid(interpolate(scene.mesh.normals, corners, point));
     // Unit normals cancel only where they are opposite; NaN fails the comparison as well.
     if (!(dotProduct(n, n) > 1e-12f)) return geometric;
     return facing(unitVector(n), geometric);
 }
 
-glm::vec3 diffuseReflectance(const Scene& scene, const Material& material, const Hit& hit) {
+glm::vec3 diffuseReflectance(const Scene& scene, const Material& material,
+                             const SurfacePoint& point) {
     if (material.diffuseMap == kNoTexture || scene.mesh.texcoords.empty()) return material.diffuse;
-    const Corners& corners = scene.mesh.texcoordIndices[hit.primitive];
+    const Corners& corners = scene.mesh.texcoordIndices[point.primitive];
     if (!present(corners)) return material.diffuse;
     return scene.textures[material.diffuseMap].sample(
-        interpolate(scene.mesh.texcoords, corners, hit));
+        interpolate(scene.mesh.texcoords, corners, point));
 }
 
 } // namespace
 
-SurfacePoint fetchSurface(const Scene& scene, const FrameGeometry& geometry, const Ray& ray,
-                          const Hit& hit) {
-    const Triangle& triangle = geometry.triangles[hit.primitive];
-    const Material& material = scene.materials[scene.mesh.materials[hit.primitive]];
+SurfacePoint fetchSurface(const Scene& scene, const FrameGeometry& geometry, glm::vec3 direction,
+                          uint32_t primitive, float u, float v) {
+    const Triangle& triangle = geometry.triangles[primitive];
+    const Material& material = scene.materials[scene.mesh.materials[primitive]];
 
     SurfacePoint point;
-    point.position = triangle.a * (1.0f - hit.u - hit.v) + triangle.b * hit.u + triangle.c * hit.v;
-    point.geometricNormal = facing(triangleNormal(triangle), -ray.direction);
-    point.shadingNormal = shadingNormal(scene, geometry.frame, hit, point.geometricNormal);
-    point.diffuse = diffuseReflectance(scene, material, hit);
+    point.primitive = primitive;
+    point.u = u;
+    point.v = v;
+    point.position = triangle.a * (1.0f - u - v) + triangle.b * u + triangle.c * v;
+    point.geometricNormal = facing(triangleNormal(triangle), -direction);
+    point.shadingNormal = shadingNormal(scene, geometry.frame, point);
+    point.diffuse = diffuseReflectance(scene, material, point);
     point.emission = material.emission;
     return point;
 }

@@ -150,7 +150,8 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
     };
 
     if (!grid.atEye.empty() && passesEye(ray))
-        for (uint32_t id : grid.atEye) test(id);
+        for (uint32_t id : grid.atEye)
+            if (test(id)) best.view = (uint32_t) grid.views.size();
 
     bool located = false; // best.view and best.tile hold best.t
     walkViews(grid, ray, limit, local.steps, [&](const TileVisit& visit) {

@@ -16,7 +16,8 @@ struct TraversalCounts {
     uint64_t tests = 0; ///< ray-triangle tests
 };
 
-/// Nearest hit through the grid (T1–T7).
+/// Nearest hit through the grid (T1–T7). Its view and tile are those whose visited interval holds
+/// t, and which list the triangle; or the view after the last one, if only Grid::atEye lists it.
 Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& ray,
                TraversalCounts* counts = nullptr);
 

@@ -29,7 +29,7 @@ void count(const Judgement& judgement, BackendReport& report) {
 } // namespace
 
 Verifier::Verifier(const FrameGeometry& geometry, const Camera& camera, const GridSettings& grid,
-                   std::vector<Backend*> backends, const VerifySettings& settings,
+                   std::vector<Tracer*> backends, const VerifySettings& settings,
                    Executor& executor)
     : geometry_(geometry), backends_(std::move(backends)), settings_(settings), executor_(executor),
       source_(geometry, camera, grid, settings.seed), scope_(grid, camera), judge_(geometry) {}
@@ -46,7 +46,7 @@ KindReport Verifier::run(RayKind kind) {
         for (size_t b = 0; b < backends_.size(); b++) {
             batch.hits.emplace_back(batch.rays.size());
             const auto start = std::chrono::steady_clock::now();
-            backends_[b]->trace(batch.rays, batch.hits[b]);
+            backends_[b]->intersect(batch.rays, batch.hits[b]);
             report.backends[b].traceMs += millisecondsSince(start);
         }
         judge(batch, select(batch, report), report);
@@ -75,7 +75,7 @@ void Verifier::fillDiffuse(uint64_t wanted, uint64_t& next, Batch& batch) {
         uint64_t seen = next;
         fill(RayKind::primary, std::min(wanted - batch.rays.size(), end - next), seen, seeing);
         std::vector<Hit> hits(seeing.rays.size());
-        backends_[0]->trace(seeing.rays, hits);
+        backends_[0]->intersect(seeing.rays, hits);
         for (size_t i = 0; i < hits.size(); i++) {
             if (!hits[i].found()) continue;
             if (const auto ray = source_.diffuse(seeing.indices[i], hits[i])) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/frame/backend.h"
 #include "core/frame/executor.h"
+#include "core/frame/tracer.h"
 #include "core/verify/judge.h"
 #include "core/verify/ray_kinds.h"
 #include "core/verify/view_scope.h"
@@ -57,7 +57,7 @@ public:
     /// outlive the verifier. The first is the one under test: it also finds the surface points
     /// that diffuse rays start from.
     Verifier(const FrameGeometry& geometry, const Camera& camera, const GridSettings& grid,
-             std::vector<Backend*> backends, const VerifySettings& settings, Executor& executor);
+             std::vector<Tracer*> backends, const VerifySettings& settings, Executor& executor);
 
     /// Every ray on which two backends give different primitives is judged, and evenly spread
     /// over the others `agreeing` more. Where no triangle is seen there are no diffuse rays, and
@@ -79,7 +79,7 @@ private:
     void judge(const Batch& batch, const std::vector<uint32_t>& selected, KindReport& report);
 
     const FrameGeometry& geometry_;
-    std::vector<Backend*> backends_;
+    std::vector<Tracer*> backends_;
     VerifySettings settings_;
     Executor& executor_;
     RaySource source_;

@@ -19,6 +19,7 @@
 #define DIRT_FUNCTION inline
 #define DIRT_OUT(type) type&
 #define DIRT_PRECISE // -ffp-contract=off does it
+#define DIRT_DEFAULT(value) {value}
 
 namespace dirt {
 using uint = uint32_t;
@@ -42,6 +43,7 @@ inline float uintBitsToFloat(uint x) {
 #define DIRT_FUNCTION
 #define DIRT_OUT(type) out type
 #define DIRT_PRECISE precise
+#define DIRT_DEFAULT(value)
 
 #endif
 

@@ -86,7 +86,7 @@ TEST(GridBuilder, NoGeometry) {
     EXPECT_EQ(backend.listEntries(), 0u);
     const Ray ray{{0, 0, 0}, {1, 2, 3}, kNoPrimitive};
     Hit hit;
-    backend.trace({&ray, 1}, {&hit, 1});
+    backend.intersect({&ray, 1}, {&hit, 1});
     EXPECT_FALSE(hit.found());
 }
 

@@ -56,15 +56,21 @@ struct Recorded {
 
 Recorded render(const Scene& scene, const RenderSettings& settings, Backend& backend,
                 Executor& executor) {
-    test::RecordingBackend recording(backend);
+    test::RecordingBackend recording(backend, executor);
     Recorded recorded;
     RenderHooks hooks;
-    hooks.observe = [&](const EventHits& e) {
-        recorded.events.push_back({{e.pixels.begin(), e.pixels.end()},
-                                   {e.rays.begin(), e.rays.end()},
-                                   {e.hits.begin(), e.hits.end()}});
+    hooks.observe = [&](uint32_t, int k) {
+        const PathBuffers& paths = recording.paths();
+        Recorded::Event& event = recorded.events.emplace_back();
+        for (uint32_t pixel = 0; pixel < paths.rays.size(); pixel++) {
+            const PathRay& ray = paths.rays[pixel];
+            if (!paths.alive(k, pixel) || ray.direction == glm::vec3(0.0f)) continue;
+            event.pixels.push_back(pixel);
+            event.rays.push_back({ray.origin, ray.direction, ray.skip});
+            event.hits.push_back(paths.hits[pixel]);
+        }
     };
-    recorded.result = Renderer(scene, settings, recording, executor).render(hooks);
+    recorded.result = Renderer(scene, settings, recording).render(hooks);
     recorded.shadows = std::move(recording.shadows);
     return recorded;
 }
@@ -177,28 +183,25 @@ private:
 };
 
 /// Embree, blind to some triangles.
-class Blind final : public Backend {
+class Blind final : public HostBackend {
 public:
-    explicit Blind(Executor& executor) : embree_(executor) {}
+    explicit Blind(Executor& executor) : HostBackend(executor), embree_(executor) {}
 
     std::string name() const override { return "blind"; }
     std::string device() const override { return ""; }
-    void build(const FrameGeometry& geometry, const Camera& camera,
-               const GridSettings& settings) override {
-        left_ = geometry;
+    void clear(const Camera&, const GridSettings&) override {}
+    void fillPrimitives() override {
+        left_ = *geometry_;
         for (size_t i = 0; i < left_.triangles.size(); i += 5) left_.triangles[i] = {};
-        embree_.build(left_, camera, settings);
+        embree_.build(left_, Camera{}, GridSettings{});
     }
-    void trace(std::span<const Ray> rays, std::span<Hit> hits) override {
-        embree_.trace(rays, hits);
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits) override {
+        embree_.intersect(rays, hits);
     }
     void occluded(std::span<const Ray> rays, std::span<const float> maxT,
                   std::span<uint8_t> result) override {
         embree_.occluded(rays, maxT, result);
     }
-    std::vector<PassTime> buildPasses() const override { return {}; }
-    std::vector<BufferSize> memory() const override { return {}; }
-    uint64_t listEntries() const override { return 0; }
 
 private:
     EmbreeBackend embree_;

@@ -1,52 +1,51 @@
 #pragma once
 
-#include "core/frame/backend.h"
+#include "core/frame/host_backend.h"
 
 #include <vector>
 
 namespace dirt::test {
 
-/// Passes everything on to another backend, and keeps the rays and their answers.
-class RecordingBackend final : public Backend {
+/// Passes all rays on to another backend, and keeps the shadow rays and their answers.
+class RecordingBackend final : public HostBackend {
 public:
-    struct Traced {
-        std::vector<Ray> rays;
-        std::vector<Hit> hits;
-    };
     struct Occluded {
         std::vector<Ray> rays;
         std::vector<float> maxT;
         std::vector<uint8_t> result;
     };
 
-    explicit RecordingBackend(Backend& inner) : inner_(inner) {}
+    RecordingBackend(Backend& inner, Executor& executor) : HostBackend(executor), inner_(inner) {}
 
     std::string name() const override { return inner_.name(); }
     std::string device() const override { return inner_.device(); }
-    void build(const FrameGeometry& geometry, const Camera& camera,
-               const GridSettings& settings) override {
-        inner_.build(geometry, camera, settings);
+    void clear(const Camera& camera, const GridSettings& settings) override {
+        camera_ = camera;
+        settings_ = settings;
     }
-    void trace(std::span<const Ray> rays, std::span<Hit> hits) override {
-        inner_.trace(rays, hits);
-        traced.push_back({{rays.begin(), rays.end()}, {hits.begin(), hits.end()}});
+    void fillPrimitives() override { inner_.build(*geometry_, camera_, settings_); }
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits) override {
+        inner_.intersect(rays, hits);
     }
     void occluded(std::span<const Ray> rays, std::span<const float> maxT,
                   std::span<uint8_t> result) override {
         inner_.occluded(rays, maxT, result);
-        shadows.push_back({{rays.begin(), rays.end()},
-                           {maxT.begin(), maxT.end()},
-                           {result.begin(), result.end()}});
+        Occluded& kept = shadows.back();
+        kept.rays.insert(kept.rays.end(), rays.begin(), rays.end());
+        kept.maxT.insert(kept.maxT.end(), maxT.begin(), maxT.end());
+        kept.result.insert(kept.result.end(), result.begin(), result.end());
     }
-    std::vector<PassTime> buildPasses() const override { return inner_.buildPasses(); }
-    std::vector<BufferSize> memory() const override { return inner_.memory(); }
-    uint64_t listEntries() const override { return inner_.listEntries(); }
+    void visibility(int event) override {
+        shadows.emplace_back();
+        HostBackend::visibility(event);
+    }
 
-    std::vector<Traced> traced;    ///< one entry per call
-    std::vector<Occluded> shadows; ///< one entry per call
+    std::vector<Occluded> shadows; ///< one entry per path event
 
 private:
     Backend& inner_;
+    Camera camera_;
+    GridSettings settings_;
 };
 
 } // namespace dirt::test

@@ -51,7 +51,7 @@ protected:
     std::vector<Hit> trace(const FrameGeometry& geometry, const std::vector<Ray>& rays) {
         backend_.build(geometry, Camera{}, GridSettings{});
         std::vector<Hit> hits(rays.size());
-        backend_.trace(rays, hits);
+        backend_.intersect(rays, hits);
         return hits;
     }
 };
@@ -134,12 +134,16 @@ TEST_P(EmbreeBackendTest, NaNAndInfinityHitNothing) {
 
 TEST_P(EmbreeBackendTest, RebuildsAndTellsItsMemory) {
     const FrameGeometry big = soupWithCopies(20000), small = soupWithCopies(10);
+    const auto bytes = [&] {
+        for (const auto& [name, size] : backend_.memory())
+            if (name == "embree scene") return size;
+        return uint64_t(0);
+    };
     backend_.build(big, Camera{}, GridSettings{});
-    const uint64_t bigBytes = backend_.memory()[0].second;
+    const uint64_t bigBytes = bytes();
     EXPECT_GT(bigBytes, big.triangles.size() * sizeof(Triangle));
     backend_.build(small, Camera{}, GridSettings{});
-    EXPECT_LT(backend_.memory()[0].second, bigBytes / 2) << "the old scene is gone";
-    EXPECT_EQ(backend_.buildPasses().size(), 1u);
+    EXPECT_LT(bytes(), bigBytes / 2) << "the old scene is gone";
     EXPECT_EQ(backend_.device().rfind("Embree 3.", 0), 0u);
 }
 
@@ -153,7 +157,7 @@ TEST(EmbreePlain, AgreesWithCoreAwayFromBorders) {
     EmbreeBackend plain(serial, false, EmbreeDecision::plain);
     plain.build(geometry, Camera{}, GridSettings{});
     std::vector<Hit> hits(rays.size());
-    plain.trace(rays, hits);
+    plain.intersect(rays, hits);
     for (size_t i = 0; i < rays.size(); i++) {
         const Hit expected = closestHitBruteForce(geometry, rays[i]);
         ASSERT_EQ(hits[i].found(), expected.found());

@@ -42,13 +42,9 @@ void forEachPixel(const Scene& scene, ViewMode mode, const Check& check) {
     settings.samples = 1;
     settings.bounces = 1;
     SerialExecutor executor;
-    test::BruteForceBackend backend;
-    std::vector<Hit> hits;
-    RenderHooks hooks;
-    hooks.observe = [&](const EventHits& event) {
-        hits.assign(event.hits.begin(), event.hits.end());
-    };
-    const RenderResult result = Renderer(scene, settings, backend, executor).render(hooks);
+    test::BruteForceBackend backend(executor);
+    const RenderResult result = Renderer(scene, settings, backend).render();
+    const std::vector<Hit>& hits = backend.paths().hits;
     for (size_t i = 0; i < hits.size(); ++i) {
         ASSERT_TRUE(hits[i].found());
         const Corners& corners = scene.mesh.triangles[hits[i].primitive];

@@ -22,7 +22,7 @@ RenderSettings settings(ViewMode mode, int bounces) {
 Image render(const Scene& scene, const RenderSettings& settings) {
     SerialExecutor executor;
     CpuBackend backend(executor);
-    return Renderer(scene, settings, backend, executor).render().image;
+    return Renderer(scene, settings, backend).render().image;
 }
 
 /// What a wall of radiance Le and reflectance rho shows after n events: Le (1 + rho + …), n terms.

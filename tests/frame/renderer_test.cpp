@@ -39,7 +39,7 @@ RenderResult renderWith(Executor& executor, const RenderSettings& settings,
                         const RenderHooks& hooks = {}) {
     const Scene scene = test::room();
     CpuBackend backend(executor);
-    return Renderer(scene, settings, backend, executor).render(hooks);
+    return Renderer(scene, settings, backend).render(hooks);
 }
 
 TEST(Renderer, SameBitsForAnyExecutor) {
@@ -52,9 +52,9 @@ TEST(Renderer, SameBitsForAnyExecutor) {
             ThreadPool pool(threads);
             const RenderResult result = renderWith(pool, settings(mode));
             EXPECT_EQ(result.image.pixels, expected.image.pixels) << threads << " threads";
-            EXPECT_EQ(result.rays, expected.rays);
-            EXPECT_EQ(result.hits, expected.hits);
-            EXPECT_EQ(result.shadowRays, expected.shadowRays);
+            EXPECT_EQ(result.counts.rays, expected.counts.rays);
+            EXPECT_EQ(result.counts.hits, expected.counts.hits);
+            EXPECT_EQ(result.counts.shadowRays, expected.counts.shadowRays);
         }
     }
 }
@@ -64,12 +64,13 @@ TEST(Renderer, GridAndBruteForceGiveTheSameBits) {
     const Scene scene = test::room();
     SerialExecutor serial;
     for (ViewMode mode : {ViewMode::full, ViewMode::single}) {
-        test::BruteForceBackend oracle;
-        const RenderSettings choices = settings(mode);
-        const RenderResult expected = Renderer(scene, choices, oracle, serial).render();
+        test::BruteForceBackend oracle(serial);
+        RenderSettings choices = settings(mode);
+        choices.primary = Primary::traced;
+        const RenderResult expected = Renderer(scene, choices, oracle).render();
         const RenderResult result = renderWith(serial, choices);
         EXPECT_EQ(result.image.pixels, expected.image.pixels);
-        EXPECT_EQ(result.hits, expected.hits);
+        EXPECT_EQ(result.counts.hits, expected.counts.hits);
     }
 }
 
@@ -88,14 +89,33 @@ TEST(Renderer, PassesRunInTheirOrder) {
     const RenderResult result = renderWith(serial, choices);
     std::vector<std::pair<std::string, int>> names;
     for (const PassTime& pass : result.passes) names.emplace_back(pass.name, pass.event);
-    const std::vector<std::pair<std::string, int>> expected = {
-        {"Clear", 0},      {"FillDepth", 0}, {"FillDepthMipmap", 0}, {"FillPrimitives", 0},
-        {"Rays", 0},       {"Trace", 0},     {"Fetch", 0},           {"Visibility", 0},
-        {"Shade", 0},      {"DepthMask", 1}, {"Trace", 1},           {"Fetch", 1},
-        {"Visibility", 1}, {"Shade", 1},     {"Resolve", 0}};
+    const std::vector<std::pair<std::string, int>> expected = {{"Clear", 0},
+                                                               {"FillDepth", 0},
+                                                               {"FillDepthMipmap", 0},
+                                                               {"FillPrimitives", 0},
+                                                               {"DirectVisibility", 0},
+                                                               {"Visibility", 0},
+                                                               {"Shade", 0},
+                                                               {"DepthMask", 1},
+                                                               {"Rays", 1},
+                                                               {"Trace", 1},
+                                                               {"Fetch", 1},
+                                                               {"Visibility", 1},
+                                                               {"Shade", 1},
+                                                               {"Resolve", 0}};
     EXPECT_EQ(names, expected);
     EXPECT_GT(result.passMs("Trace"), 0.0);
     EXPECT_GE(result.frameMs, result.passMs("Trace"));
+
+    choices.primary = Primary::traced;
+    choices.bounces = 1;
+    names.clear();
+    for (const PassTime& pass : renderWith(serial, choices).passes)
+        if (pass.name != "Clear" && pass.name.substr(0, 4) != "Fill")
+            names.emplace_back(pass.name, pass.event);
+    const std::vector<std::pair<std::string, int>> traced = {
+        {"Rays", 0}, {"Trace", 0}, {"Fetch", 0}, {"Visibility", 0}, {"Shade", 0}, {"Resolve", 0}};
+    EXPECT_EQ(names, traced);
 }
 
 TEST(Renderer, StoppedFramesKeepTheirFinishedSamples) {
@@ -123,30 +143,35 @@ TEST(Renderer, StoppedFramesKeepTheirFinishedSamples) {
 
 TEST(Renderer, ObserverSeesEveryRay) {
     SerialExecutor serial;
-    const RenderSettings choices = settings();
+    RenderSettings choices = settings();
+    choices.primary = Primary::traced;
+    const Scene scene = test::room();
+    CpuBackend backend(serial);
     uint64_t rays = 0, hits = 0;
     int calls = 0;
     RenderHooks hooks;
-    hooks.observe = [&](const EventHits& event) {
-        EXPECT_EQ(event.sample, (uint32_t) calls / 3);
-        EXPECT_EQ(event.event, calls % 3);
+    hooks.observe = [&](uint32_t sample, int event) {
+        EXPECT_EQ(sample, (uint32_t) calls / 3);
+        EXPECT_EQ(event, calls % 3);
         ++calls;
-        ASSERT_EQ(event.rays.size(), event.pixels.size());
-        ASSERT_EQ(event.hits.size(), event.pixels.size());
-        rays += event.rays.size();
-        for (const Hit& hit : event.hits) hits += hit.found();
-        // At most one ray per pixel, in order.
-        for (size_t i = 1; i < event.pixels.size(); ++i)
-            ASSERT_LT(event.pixels[i - 1], event.pixels[i]);
-        if (event.event == 0) {
-            EXPECT_EQ(event.rays.size(), 97u * 61u);
+        const PathBuffers& paths = backend.paths();
+        ASSERT_EQ(paths.rays.size(), 97u * 61u);
+        for (size_t i = 0; i < paths.rays.size(); ++i) {
+            const bool cast = paths.rays[i].direction != glm::vec3(0.0f);
+            rays += cast;
+            hits += paths.hits[i].found();
+            ASSERT_TRUE(cast || !paths.hits[i].found());
+            ASSERT_TRUE(paths.alive(event, i) || !cast);
+            ASSERT_EQ(paths.next[i].found(), paths.hits[i].found());
+            if (cast) {
+                ASSERT_EQ(paths.rays[i].skip == kNoPrimitive, event == 0);
+            }
         }
-        for (const Ray& ray : event.rays) ASSERT_EQ(ray.skip == kNoPrimitive, event.event == 0);
     };
-    const RenderResult result = renderWith(serial, choices, hooks);
+    const RenderResult result = Renderer(scene, choices, backend).render(hooks);
     EXPECT_EQ(calls, 6);
-    EXPECT_EQ(result.rays, rays);
-    EXPECT_EQ(result.hits, hits);
+    EXPECT_EQ(result.counts.rays, rays);
+    EXPECT_EQ(result.counts.hits, hits);
     EXPECT_GT(hits, rays / 2);
     EXPECT_LT(hits, rays);
 }
@@ -166,11 +191,8 @@ TEST(Renderer, BothModesShowTheSamePicture) {
         choices.bounces = 1;
         choices.samples = 1;
         auto& ids = primitives[(int) mode];
-        RenderHooks hooks;
-        hooks.observe = [&](const EventHits& event) {
-            for (const Hit& hit : event.hits) ids.push_back(hit.primitive);
-        };
-        images[(int) mode] = Renderer(scene, choices, backend, serial).render(hooks).image;
+        images[(int) mode] = Renderer(scene, choices, backend).render().image;
+        for (const SurfacePoint& point : backend.paths().next) ids.push_back(point.primitive);
     }
     // Positions differ by some 2^-22 of the room, and nowhere does the light rise from nothing to
     // the brightest in less than a fiftieth of it.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/grid/geometry.h"
 #include "core/scene/scene.h"
 
 #include <array>
@@ -67,6 +68,15 @@ inline Material material(glm::vec3 diffuse, glm::vec3 emission = glm::vec3(0.0f)
     result.diffuse = diffuse;
     result.emission = emission;
     return result;
+}
+
+/// A scene of bare triangles around the origin, where the camera stands.
+inline Scene sceneOf(const std::vector<Triangle>& triangles) {
+    Scene scene;
+    scene.materials = {material(glm::vec3(0.5f))};
+    for (const Triangle& t : triangles) addTriangle(scene.mesh, t.a, t.b, t.c, 0);
+    scene.camera.eye = glm::vec3(0.0f);
+    return scene;
 }
 
 /// A room of 4 x 3 x 4 with coloured walls, a smooth ball and a box in it, an emissive panel and a

@@ -82,7 +82,7 @@ protected:
                                    const std::string& settings) {
         if (grid.mode != geometry_.frame.mode) enter(grid.mode);
         cpu_.build(geometry_, scene_->camera, grid);
-        std::vector<Backend*> backends{&cpu_};
+        std::vector<Tracer*> backends{&cpu_};
         for (const auto& peer : peers_) backends.push_back(peer.get());
         VerifySettings verify;
         verify.rays = rays;

@@ -69,9 +69,9 @@ protected:
         return {origin, t.a - origin, kNoPrimitive};
     }
 
-    static size_t misses(Backend& backend, const std::vector<Ray>& rays) {
+    static size_t misses(Tracer& tracer, const std::vector<Ray>& rays) {
         std::vector<Hit> hits(rays.size());
-        backend.trace(rays, hits);
+        tracer.intersect(rays, hits);
         return (size_t) std::count_if(hits.begin(), hits.end(),
                                       [](const Hit& hit) { return !hit.found(); });
     }
@@ -103,7 +103,7 @@ TEST_P(Sphere, NoRayLeavesIt) {
 TEST_P(Sphere, EveryHitIsTheRightOne) {
     VerifySettings verify;
     verify.rays = kRays;
-    std::vector<Backend*> backends{&cpu_};
+    std::vector<Tracer*> backends{&cpu_};
 #ifdef DIRT_HAVE_EMBREE
     EmbreeBackend embree(pool_, true, EmbreeDecision::plain);
     embree.build(geometry_, camera_, settings_);

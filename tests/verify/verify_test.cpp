@@ -12,26 +12,25 @@ using namespace dirt;
 namespace {
 
 /// Tests every triangle; and, where asked to, does something wrong.
-class BruteForce : public Backend {
+class BruteForce : public Tracer {
 public:
     using Tamper = void (*)(size_t ray, Hit& hit);
     explicit BruteForce(Tamper tamper = nullptr) : tamper_(tamper) {}
 
     std::string name() const override { return "brute force"; }
     std::string device() const override { return ""; }
-    void build(const FrameGeometry& geometry, const Camera&, const GridSettings&) override {
+    std::vector<PassTime> build(const FrameGeometry& geometry, const Camera&,
+                                const GridSettings&) override {
         geometry_ = &geometry;
+        return {};
     }
-    void trace(std::span<const Ray> rays, std::span<Hit> hits) override {
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits) override {
         for (size_t i = 0; i < rays.size(); i++) {
             hits[i] = closestHitBruteForce(*geometry_, rays[i]);
             if (tamper_) tamper_(i, hits[i]);
         }
     }
     void occluded(std::span<const Ray>, std::span<const float>, std::span<uint8_t>) override {}
-    std::vector<PassTime> buildPasses() const override { return {}; }
-    std::vector<BufferSize> memory() const override { return {}; }
-    uint64_t listEntries() const override { return 0; }
 
 protected:
     const FrameGeometry* geometry_ = nullptr;
@@ -45,11 +44,11 @@ constexpr uint32_t kLost = 100;
 /// Loses every kLost-th triangle of the scene.
 class Dropping final : public BruteForce {
 public:
-    void build(const FrameGeometry& geometry, const Camera& camera,
-               const GridSettings& settings) override {
+    std::vector<PassTime> build(const FrameGeometry& geometry, const Camera& camera,
+                                const GridSettings& settings) override {
         kept_ = geometry;
         for (size_t i = 0; i < kept_.triangles.size(); i += kLost) kept_.triangles[i] = {};
-        BruteForce::build(kept_, camera, settings);
+        return BruteForce::build(kept_, camera, settings);
     }
 
 private:
@@ -69,11 +68,11 @@ protected:
     BruteForce sound_;
     VerifySettings settings_{.rays = kRays, .agreeing = 100};
 
-    KindReport run(RayKind kind, std::vector<Backend*> backends) {
+    KindReport run(RayKind kind, std::vector<Tracer*> backends) {
         return run(kind, backends, serial_);
     }
-    KindReport run(RayKind kind, std::vector<Backend*> backends, Executor& executor) {
-        for (Backend* backend : backends) backend->build(geometry_, camera_, grid_);
+    KindReport run(RayKind kind, std::vector<Tracer*> backends, Executor& executor) {
+        for (Tracer* backend : backends) backend->build(geometry_, camera_, grid_);
         return Verifier(geometry_, camera_, grid_, backends, settings_, executor).run(kind);
     }
 
@@ -199,8 +198,8 @@ TEST_F(VerifierTest, InSingleViewHitsOutsideDoNotCount) {
     class OnlyTheView final : public BruteForce {
     public:
         View view;
-        void trace(std::span<const Ray> rays, std::span<Hit> hits) override {
-            BruteForce::trace(rays, hits);
+        void intersect(std::span<const Ray> rays, std::span<Hit> hits) override {
+            BruteForce::intersect(rays, hits);
             for (size_t i = 0; i < rays.size(); i++) {
                 const glm::vec3 p = rays[i].origin + rays[i].direction * hits[i].t;
                 // By a hair too little is caught, so leave a hair too much.

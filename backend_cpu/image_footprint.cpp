@@ -1,0 +1,96 @@
+#include "backend_cpu/image_footprint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+// The direction of a pixel's ray is R x + D y + F in float, (x, y) its slopes, at most S. With
+// u = 2^-24, the pixel's position and slope are off by less than 6 S u. Each component of the sum
+// is off by less than 3.01 u (2 S + 1); taken back by the inverse of (R, D, F), whose columns are
+// at right angles to 2^-22, the slopes are off by (1 + S) 1.75 * 3.01 u (2 S + 1) < 11 u (1 + S)^2.
+// Together less than 2^-19 (1 + S)^2. What the projection below adds, in double and away from
+// z = 0, is below 2^-28 (1 + S).
+
+namespace dirt {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Vertices this near to z = 0, relative to their distance, have no projection worth its name.
+constexpr double kFlat = 0x1p-20;
+
+struct Interval {
+    double low = kInfinity, high = -kInfinity;
+    void include(double x) {
+        low = std::min(low, x);
+        high = std::max(high, x);
+    }
+};
+
+/// Includes the slope, without end, of the direction in which the edge pq crosses z = 0.
+void includeCrossing(double p, double pz, double q, double qz, Interval& slopes) {
+    const double first = p * std::abs(qz), second = q * std::abs(pz);
+    const double value = first + second;
+    const double error = 0x1p-40 * (std::abs(first) + std::abs(second));
+    if (value >= -error) slopes.high = kInfinity;
+    if (value <= error) slopes.low = -kInfinity;
+}
+
+} // namespace
+
+ImageFootprint::ImageFootprint(const Camera& camera, int width, int height, ViewMode mode,
+                               glm::vec2 offset)
+    : toImage_(1.0), offset_(offset), size_(width, height) {
+    const double slopeY = std::tan(camera.verticalFov * (std::numbers::pi / 360.0));
+    const double slopeX = slopeY * width / height;
+    slope_ = {-slopeX, -slopeY};
+    step_ = {2.0 * slopeX / width, 2.0 * slopeY / height};
+    const double largest = 1.0 + std::max(slopeX, slopeY);
+    margin_ = 0x1p-19 * largest * largest;
+    if (mode == ViewMode::full) {
+        const CameraBasis basis = cameraBasis(camera);
+        toImage_ = glm::inverse(glm::dmat3(basis.right, basis.down, basis.forward));
+    }
+}
+
+PixelRange ImageFootprint::operator()(const Triangle& triangle) const {
+    const PixelRange everything{0, size_.x - 1, 0, size_.y - 1};
+    const std::array<glm::dvec3, 3> p = {toImage_ * glm::dvec3(triangle.a),
+                                         toImage_ * glm::dvec3(triangle.b),
+                                         toImage_ * glm::dvec3(triangle.c)};
+    int before = 0;
+    for (const glm::dvec3& v : p) {
+        if (std::abs(v.z) <= kFlat * (std::abs(v.x) + std::abs(v.y) + std::abs(v.z)))
+            return everything;
+        before += v.z > 0.0;
+    }
+    if (before == 0) return {};
+
+    Interval slopes[2];
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 &v = p[i], &w = p[(i + 1) % 3];
+        for (int axis = 0; axis < 2; ++axis) {
+            if (v.z > 0.0) slopes[axis].include(v[axis] / v.z);
+            if ((v.z > 0.0) != (w.z > 0.0))
+                includeCrossing(v[axis], v.z, w[axis], w.z, slopes[axis]);
+        }
+    }
+    int first[2], last[2];
+    for (int axis = 0; axis < 2; ++axis) {
+        const auto pixel = [&](double slope) {
+            const double x = (slope - slope_[axis]) / step_[axis] - offset_[axis];
+            return std::clamp(x, -1.0, (double) size_[axis]);
+        };
+        first[axis] = std::max((int) std::ceil(pixel(slopes[axis].low - margin_)), 0);
+        last[axis] =
+            std::min((int) std::floor(pixel(slopes[axis].high + margin_)), size_[axis] - 1);
+    }
+    return {first[0], last[0], first[1], last[1]};
+}
+
+} // namespace dirt

@@ -1,0 +1,87 @@
+#include "core/frame/requirements.h"
+
+#include <algorithm>
+
+namespace dirt {
+
+namespace {
+
+bool black(glm::vec3 color) {
+    return !(color.x > 0.0f || color.y > 0.0f || color.z > 0.0f);
+}
+
+/// Materials that some triangle has.
+std::vector<const Material*> usedMaterials(const Scene& scene) {
+    std::vector<uint8_t> used(scene.materials.size(), 0);
+    for (uint32_t material : scene.mesh.materials) used[material] = 1;
+    std::vector<const Material*> materials;
+    for (size_t i = 0; i < used.size(); ++i)
+        if (used[i]) materials.push_back(&scene.materials[i]);
+    return materials;
+}
+
+template <typename Predicate>
+size_t countMaterials(const Scene& scene, const Predicate& predicate) {
+    const auto materials = usedMaterials(scene);
+    return (size_t) std::count_if(materials.begin(), materials.end(), predicate);
+}
+
+bool shines(const Material* material) {
+    return !black(material->emission);
+}
+bool isTextured(const Material* material) {
+    return material->diffuseMap != kNoTexture;
+}
+
+/// Triangles with a normal at every corner.
+size_t countNormals(const Mesh& mesh) {
+    if (mesh.normals.empty()) return 0;
+    return (size_t) std::count_if(
+        mesh.normalIndices.begin(), mesh.normalIndices.end(),
+        [](const Corners& c) { return std::find(c.begin(), c.end(), kNoIndex) == c.end(); });
+}
+
+std::string share(size_t count, size_t all, const char* what) {
+    return std::to_string(count) + " of " + std::to_string(all) + " " + what;
+}
+
+} // namespace
+
+Requirements requirementsOf(const Scene& scene, const RenderSettings& settings, bool rasterizes) {
+    Requirements need;
+    need.light = !scene.lights.empty();
+    need.emission = countMaterials(scene, shines) > 0;
+    need.background = !black(scene.background);
+    need.diffuseTextures = !scene.mesh.texcoords.empty() && countMaterials(scene, isTextured) > 0;
+    need.shadingNormals = countNormals(scene.mesh) > 0;
+    need.indirect = settings.bounces > 1;
+    need.tracedPrimary = settings.primary == Primary::traced || !rasterizes;
+    return need;
+}
+
+std::vector<RequirementReason> explain(const Requirements& need, const Scene& scene,
+                                       const RenderSettings& settings, bool rasterizes) {
+    const size_t materials = usedMaterials(scene).size();
+    const std::string bounces = std::to_string(settings.bounces) + " bounces";
+    return {
+        {"light", need.light, need.light ? "the scene has a spotlight" : "no light in the scene"},
+        {"emission", need.emission, share(countMaterials(scene, shines), materials, "materials")},
+        {"background", need.background,
+         need.background ? "rays that miss see a radiance" : "rays that miss see black"},
+        {"diffuse textures", need.diffuseTextures,
+         scene.mesh.texcoords.empty()
+             ? "no texture coordinates"
+             : share(countMaterials(scene, isTextured), materials, "materials")},
+        {"shading normals", need.shadingNormals,
+         share(countNormals(scene.mesh), scene.mesh.triangles.size(), "triangles")},
+        {"indirect light", need.indirect, need.indirect ? bounces : "direct light only"},
+        {"traced primary rays", need.tracedPrimary,
+         !rasterizes                           ? "the backend does not rasterize"
+         : settings.primary == Primary::traced ? "asked for"
+                                               : "direct visibility is rasterized"},
+        {"G[k-1]", need.previousPoint,
+         need.previousPoint ? "asked for" : "every surface is diffuse"},
+    };
+}
+
+} // namespace dirt

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/frame/settings.h"
+#include "core/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace dirt {
+
+/// What a scene and the choices made for it require of a frame. Buffers and code paths follow from
+/// this and from nothing else: what is not required costs nothing.
+struct Requirements {
+    bool light = false;           ///< a spotlight: shadow rays, visibility
+    bool emission = false;        ///< surfaces that shine
+    bool background = false;      ///< radiance where nothing is hit
+    bool diffuseTextures = false; ///< reflectance from a map_Kd
+    bool shadingNormals = false;  ///< interpolated normals
+    bool indirect = false;        ///< more than direct light: rays, hits, mask, G[k]
+    bool tracedPrimary = false;   ///< rays and hits for the first surface, too
+    bool previousPoint = false;   ///< G[k-1]: for inspection alone, as Lambert's lobe is the same
+                                  ///< from all sides
+};
+
+/// \p rasterizes says whether the backend can rasterize direct visibility.
+Requirements requirementsOf(const Scene& scene, const RenderSettings& settings, bool rasterizes);
+
+/// One line of the explanation of a set of requirements.
+struct RequirementReason {
+    std::string name;
+    bool required;
+    std::string reason; ///< why, or why not
+};
+
+/// Every requirement, and what in the scene or the settings decides it.
+std::vector<RequirementReason> explain(const Requirements& requirements, const Scene& scene,
+                                       const RenderSettings& settings, bool rasterizes);
+
+} // namespace dirt

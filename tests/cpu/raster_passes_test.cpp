@@ -1,0 +1,214 @@
+// The passes that rasterize, beside what they stand in for: DirectVisibility beside traced primary
+// rays, Fetch by rasterization beside Fetch by primitive id. The same bits.
+
+#include "backend_cpu/cpu_backend.h"
+#include "backend_cpu/image_footprint.h"
+#include "backend_cpu/thread_pool.h"
+#include "core/frame/renderer.h"
+#include "core/path/camera_rays.h"
+#include "core/trace/intersect.h"
+#include "tests/frame/shapes.h"
+#include "tests/support/small_scenes.h"
+
+#include <cstring>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace dirt {
+namespace {
+
+bool sameBits(const SurfacePoint& a, const SurfacePoint& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+size_t countDifferent(const std::vector<SurfacePoint>& a, const std::vector<SurfacePoint>& b) {
+    EXPECT_EQ(a.size(), b.size());
+    size_t different = 0;
+    for (size_t i = 0; i < a.size(); ++i) different += !sameBits(a[i], b[i]);
+    return different;
+}
+
+size_t countFound(const std::vector<SurfacePoint>& points) {
+    size_t found = 0;
+    for (const SurfacePoint& point : points) found += point.found();
+    return found;
+}
+
+/// G[1] of one sample.
+std::vector<SurfacePoint> firstPoints(const Scene& scene, RenderSettings settings, Primary primary,
+                                      Executor& executor) {
+    settings.samples = 1;
+    settings.bounces = 1;
+    settings.primary = primary;
+    CpuBackend backend(executor);
+    Renderer(scene, settings, backend).render();
+    return backend.paths().next;
+}
+
+glm::vec3 randomDirection(test::Random& random) {
+    glm::vec3 d;
+    do d = test::uniformPoint(random, 1.0);
+    while (glm::dot(d, d) < 0.01f);
+    return d;
+}
+
+TEST(DirectVisibility, EqualsTracedPrimaryRays) {
+    ThreadPool pool(2);
+    test::Random random(1);
+    size_t found = 0;
+    for (int i = 0; i < test::cases(300, 5000); ++i) {
+        RenderSettings settings;
+        settings.grid.mode = random.chance(0.5) ? ViewMode::full : ViewMode::single;
+        settings.grid.width = random.range(1, 60);
+        settings.grid.height = random.range(1, 40);
+        settings.seed = (uint32_t) i;
+        const test::ViewSet set(settings.grid, Camera{});
+        Scene scene = test::sceneOf(test::smallScene(random, set));
+        scene.camera.verticalFov = (float) random.pick({1.0, 20.0, 53.0, 90.0, 140.0, 175.0});
+        if (random.chance(0.7)) scene.camera.target = randomDirection(random);
+        if (random.chance(0.7)) scene.camera.up = randomDirection(random);
+        const auto raster = firstPoints(scene, settings, Primary::raster, pool);
+        const auto traced = firstPoints(scene, settings, Primary::traced, pool);
+        ASSERT_EQ(countDifferent(raster, traced), 0u) << "case " << i;
+        found += countFound(raster);
+    }
+    EXPECT_GT(found, 10000u);
+}
+
+TEST(DirectVisibility, CoincidentTrianglesShowTheLowestId) {
+    test::Random random(2);
+    std::vector<Triangle> triangles;
+    test::addRoom(random, triangles);
+    const std::vector<Triangle> once = triangles;
+    for (int copy = 0; copy < 3; ++copy)
+        for (const Triangle& t : once) triangles.push_back({t.c, t.a, t.b});
+    RenderSettings settings;
+    settings.grid.width = 64;
+    settings.grid.height = 48;
+    for (unsigned threads : {1u, 2u, 5u}) {
+        ThreadPool pool(threads);
+        for (const SurfacePoint& point :
+             firstPoints(test::sceneOf(triangles), settings, Primary::raster, pool))
+            ASSERT_LT(point.primitive, once.size());
+    }
+}
+
+TEST(ImageFootprint, HoldsEveryPixelThatIsHit) {
+    // Slivers that pass pixel centres closely, at the image's rim and through the eye's plane.
+    test::Random random(3);
+    size_t hits = 0, pixels = 0;
+    for (int i = 0; i < test::cases(20'000, 1'000'000); ++i) {
+        const int width = random.range(1, 9), height = random.range(1, 9);
+        const ViewMode mode = random.chance(0.5) ? ViewMode::full : ViewMode::single;
+        Camera camera;
+        camera.verticalFov = (float) random.pick({0.5, 20.0, 90.0, 170.0, 179.5});
+        camera.target = randomDirection(random);
+        camera.up = randomDirection(random);
+        const glm::vec2 offset((float) random.below(4) * 0.25f, (float) random.uniform());
+        const CameraRays rays(camera, width, height, mode);
+        const auto rayAt = [&](int x, int y) {
+            return rays.through((float) x + offset.x, (float) y + offset.y);
+        };
+        // Corners on or beside pixels' rays, at any depth, or anywhere.
+        const auto corner = [&] {
+            if (random.chance(0.3)) return test::uniformPoint(random, 1.0);
+            const Ray ray = rayAt(random.range(-1, width), random.range(-1, height));
+            const float depth = (float) std::pow(10.0, random.uniform(-4, 0));
+            const float beside = random.chance(0.5) ? 0.0f : 1e-7f;
+            return ray.direction * depth + test::uniformPoint(random, beside * depth);
+        };
+        const Triangle triangle{corner(), corner(), corner()};
+        const PixelRange range = ImageFootprint(camera, width, height, mode, offset)(triangle);
+        pixels += (size_t) std::max(0, range.x1 - range.x0 + 1) *
+                  (size_t) std::max(0, range.y1 - range.y0 + 1);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                TriangleHit hit;
+                if (!intersect(rayAt(x, y), triangle, hit)) continue;
+                ++hits;
+                ASSERT_TRUE(x >= range.x0 && x <= range.x1 && y >= range.y0 && y <= range.y1)
+                    << "case " << i << ", pixel " << x << ", " << y;
+            }
+    }
+    EXPECT_GT(hits, pixels / 8) << "the range is of use only if it is not much too large";
+}
+
+/// Runs a frame with raster fetch, and in each event the direct fetch after it.
+void expectSameFetches(const Scene& scene, RenderSettings settings, Executor& executor,
+                       size_t& records) {
+    settings.samples = 1;
+    settings.primary = Primary::traced;
+    settings.fetch = Fetch::raster;
+    CpuBackend backend(executor);
+    RenderHooks hooks;
+    hooks.observe = [&](uint32_t, int event) {
+        PathBuffers paths = backend.readPaths();
+        const std::vector<SurfacePoint> raster = paths.next;
+        size_t missed = 0, repeated = 0;
+        for (Hit& hit : paths.hits) {
+            if (!hit.found()) continue;
+            ++records;
+            missed += hit.fetches == 0;
+            repeated += hit.fetches > 1;
+        }
+        EXPECT_EQ(missed, 0u);
+        EXPECT_EQ(repeated, 0u);
+        const FrameGeometry geometry = backend.readGeometry();
+        const Requirements need = requirementsOf(scene, settings, true);
+        passFetch(FrameContext(scene, geometry, settings, need), executor, paths);
+        EXPECT_EQ(countDifferent(raster, paths.next), 0u) << "event " << event;
+    };
+    Renderer(scene, settings, backend).render(hooks);
+}
+
+TEST(RasterFetch, FindsEveryRecordOnceAndEqualsFetchById) {
+    ThreadPool pool(2);
+    test::Random random(4);
+    size_t records = 0;
+    for (int i = 0; i < test::cases(150, 3000); ++i) {
+        RenderSettings settings;
+        settings.grid.mode = random.chance(0.5) ? ViewMode::full : ViewMode::single;
+        settings.grid.width = random.range(1, 80);
+        settings.grid.height = random.range(1, 50);
+        settings.grid.tile = random.pick({1, 2, 4, 7, 16, 64});
+        settings.grid.bins = random.pick({1, 16, 44});
+        settings.bounces = 4;
+        settings.seed = (uint32_t) i;
+        const test::ViewSet set(settings.grid, Camera{});
+        Scene scene = test::sceneOf(test::smallScene(random, set));
+        scene.camera.target = randomDirection(random);
+        expectSameFetches(scene, settings, pool, records);
+        ASSERT_FALSE(HasFailure()) << "case " << i;
+    }
+    EXPECT_GT(records, 100'000u);
+
+    for (int tile : {1, 16, 64}) {
+        RenderSettings settings;
+        settings.grid.width = 97;
+        settings.grid.height = 61;
+        settings.grid.tile = tile;
+        expectSameFetches(test::room(), settings, pool, records);
+    }
+}
+
+TEST(RasterFetch, FindsTrianglesThatHoldTheEye) {
+    // A triangle through the eye is in the tiles around its own plane only; rays through the eye
+    // hit it in none of them.
+    const Triangle triangle{{-1, -0.3f, -1}, {1, -0.3f, -1}, {0, 0.6f, 2}};
+    Scene scene = test::sceneOf({triangle});
+    const glm::dvec3 n =
+        glm::cross(glm::dvec3(triangle.b - triangle.a), glm::dvec3(triangle.c - triangle.a));
+    ASSERT_EQ(glm::dot(n, glm::dvec3(triangle.a)), 0.0) << "the origin is in the triangle's plane";
+    RenderSettings settings;
+    settings.grid.width = settings.grid.height = 33;
+    settings.grid.tile = 4;
+    settings.bounces = 1;
+    SerialExecutor serial;
+    size_t records = 0;
+    expectSameFetches(scene, settings, serial, records);
+    EXPECT_EQ(records, 33u * 33u) << "every primary ray starts on the triangle";
+}
+
+} // namespace
+} // namespace dirt
