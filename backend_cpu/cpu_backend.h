@@ -26,6 +26,7 @@ public:
     void directVisibility(uint32_t sample) override;
     void fetch(int event) override;
 
+    bool hasGrid() const override { return true; }
     Grid readGrid() const override { return grid_; }
     void writeGrid(const Grid& grid) override { grid_ = grid; }
     std::vector<BufferSize> memory() const override;

@@ -17,6 +17,9 @@ void addVerify(CLI::App& program, int& status);
 /// `dirt info SCENE`: what a scene holds and what its structure costs.
 void addInfo(CLI::App& program, int& status);
 
+/// `dirt dump SCENE`: writes the buffers of a frame.
+void addDump(CLI::App& program, int& status);
+
 /// `dirt generate NAME`: writes a procedural scene's geometry.
 void addGenerate(CLI::App& program, int& status);
 

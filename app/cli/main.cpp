@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
     addRender(program, status);
     addVerify(program, status);
     addInfo(program, status);
+    addDump(program, status);
     addGenerate(program, status);
 
     try {

@@ -66,12 +66,15 @@ public:
 
     // The buffers, from and to the host.
     virtual FrameGeometry readGeometry() const = 0;
-    /// Throws CapabilityError where the structure is no grid.
+    /// Whether the structure is a grid, which readGrid and writeGrid need.
+    virtual bool hasGrid() const = 0;
     virtual Grid readGrid() const = 0;
     virtual void writeGrid(const Grid& grid) = 0;
     /// Buffers that the frame does not need are empty.
     virtual PathBuffers readPaths() const = 0;
     virtual void writePaths(const PathBuffers& paths) = 0;
+    /// PathBuffers::image alone.
+    virtual std::vector<glm::vec3> readImage() const = 0;
 
     virtual FrameCounts counts() const = 0;
     /// All buffers there are, with their sizes in bytes.

@@ -1,7 +1,5 @@
 #include "core/frame/host_backend.h"
 
-#include "core/io/error.h"
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -67,11 +65,11 @@ void HostBackend::resolve() {
 }
 
 Grid HostBackend::readGrid() const {
-    throw CapabilityError(name() + " has no grid");
+    throw std::logic_error(name() + " has no grid");
 }
 
 void HostBackend::writeGrid(const Grid&) {
-    throw CapabilityError(name() + " has no grid");
+    throw std::logic_error(name() + " has no grid");
 }
 
 std::vector<BufferSize> HostBackend::memory() const {

@@ -35,10 +35,12 @@ public:
     void resolve() override;
 
     FrameGeometry readGeometry() const override { return *geometry_; }
+    bool hasGrid() const override { return false; }
     Grid readGrid() const override;
     void writeGrid(const Grid& grid) override;
     PathBuffers readPaths() const override { return paths_; }
     void writePaths(const PathBuffers& paths) override { paths_ = paths; }
+    std::vector<glm::vec3> readImage() const override { return paths_.image; }
 
     FrameCounts counts() const override { return counts_; }
     /// The triangle buffer and the paths' buffers; a derived class adds its structure's.

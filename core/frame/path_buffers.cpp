@@ -17,7 +17,7 @@ void make(std::vector<T>& buffer, bool wanted, size_t pixels) {
 
 void PathBuffers::allocate(const Requirements& need, size_t pixels) {
     make(previous, need.previousPoint, pixels);
-    make(current, need.indirect, pixels);
+    make(current, need.indirect || need.previousPoint, pixels);
     make(next, true, pixels);
     make(mask, need.indirect, pixels);
     make(rays, need.indirect || need.tracedPrimary, pixels);

@@ -65,7 +65,7 @@ private:
 };
 
 Image meanImage(const Backend& backend, const GridSettings& grid, int samples) {
-    Image image{grid.width, grid.height, backend.readPaths().image};
+    Image image{grid.width, grid.height, backend.readImage()};
     const float weight = samples > 0 ? 1.0f / (float) samples : 0.0f;
     for (glm::vec3& pixel : image.pixels) pixel *= weight;
     return image;
@@ -89,7 +89,8 @@ RenderResult Renderer::render(const RenderHooks& hooks) {
     PassClock clock;
     result.build = backend_.build(scene_.mesh, scene_.camera, settings_.grid);
 
-    const Requirements need = requirementsOf(scene_, settings_, backend_.rasterizes());
+    Requirements need = requirementsOf(scene_, settings_, backend_.rasterizes());
+    need.previousPoint |= previousPoint_;
     backend_.beginFrame(scene_, settings_, need);
     Samples samples(settings_, !need.tracedPrimary, backend_, hooks, clock);
     while (result.samples < settings_.samples && samples.run((uint32_t) result.samples)) {

@@ -37,12 +37,16 @@ public:
     /// All arguments must outlive the renderer.
     Renderer(const Scene& scene, const RenderSettings& settings, Backend& backend);
 
+    /// Keeps G[k-1] even where the scene does not require it, for whoever looks at the buffers.
+    void keepPreviousPoint() { previousPoint_ = true; }
+
     RenderResult render(const RenderHooks& hooks = {});
 
 private:
     const Scene& scene_;
     const RenderSettings& settings_;
     Backend& backend_;
+    bool previousPoint_ = false;
 };
 
 } // namespace dirt

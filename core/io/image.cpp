@@ -1,13 +1,12 @@
 #include "core/io/image.h"
 
 #include "core/io/error.h"
-#include "core/io/output_file.h"
+#include "core/io/image_encoder.h"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 namespace dirt {
@@ -19,26 +18,12 @@ std::string firstLine(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
 
-/// Encodes into memory, where no disk can fill up unnoticed, then writes the bytes.
 void encode(const std::string& path, const char* format, OIIO::ImageSpec spec,
             const ImageMetadata& metadata, const void* pixels) {
-    for (const auto& [name, value] : metadata) spec.attribute(name, value);
-    // Or else the time of writing and the library's version would get into the file.
-    spec.attribute("DateTime", "2016:06:20 00:00:00");
-    spec.attribute("Software", "dirt");
-
-    const auto fail = [&path](const std::string& reason) {
-        throw InputError(path + ": cannot write: " + firstLine(reason));
-    };
-    OIIO::Filesystem::IOVecOutput memory;
-    const auto output = OIIO::ImageOutput::create(format);
-    if (!output) fail(OIIO::geterror());
-    if (!output->set_ioproxy(&memory)) fail("OpenImageIO cannot encode into memory");
-    // Each call may report success and leave an error behind all the same.
-    const bool done =
-        output->open(path, spec) && output->write_image(spec.format, pixels) && output->close();
-    if (!done || output->has_error()) fail(output->geterror());
-    writeFile(path, std::as_bytes(std::span(memory.buffer())));
+    describeImage(spec, metadata);
+    writeEncoded(path, format, [&](OIIO::ImageOutput& output, const std::string& name) {
+        return output.open(name, spec) && output.write_image(spec.format, pixels) && output.close();
+    });
 }
 
 std::unique_ptr<OIIO::ImageInput> openImage(const std::string& path) {

@@ -1,0 +1,210 @@
+#include "core/dump/dump.h"
+#include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/json_report.h"
+#include "app/cli/option_values.h"
+#include "core/frame/renderer.h"
+#include "core/io/error.h"
+#include "core/io/output_file.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dirt {
+
+namespace {
+
+const std::vector<std::string> kBuffers = {"triangles", "depth", "ids",        "direct",  "rays",
+                                           "hits",      "mask",  "visibility", "shading", "image"};
+
+struct DumpOptions {
+    CommonOptions common;
+    std::vector<std::string> buffers; ///< empty: all
+    std::string folder;
+    std::optional<int> event; ///< none: all
+    bool json = false;
+};
+
+/// Which buffers are wanted.
+class Selection {
+public:
+    explicit Selection(const std::vector<std::string>& names) {
+        for (const std::string& name : names)
+            if (std::find(kBuffers.begin(), kBuffers.end(), name) == kBuffers.end())
+                throw InputError("--buffers " + printable(name) + ": there are " + list());
+        names_ = names.empty() ? kBuffers : names;
+    }
+    bool has(const char* name) const {
+        return std::find(names_.begin(), names_.end(), name) != names_.end();
+    }
+    static std::string list() {
+        std::string text;
+        for (const std::string& name : kBuffers) text += (text.empty() ? "" : ",") + name;
+        return text;
+    }
+
+private:
+    std::vector<std::string> names_;
+};
+
+void makeFolder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directory(folder, error);
+    if (!std::filesystem::is_directory(folder))
+        throw InputError(folder + ": cannot make this folder" +
+                         (error ? ": " + error.message() : ""));
+}
+
+Json vectorJson(glm::vec3 v) {
+    return {v.x, v.y, v.z};
+}
+
+Json viewsJson(const Grid& grid) {
+    Json views = Json::array();
+    for (size_t i = 0; i < grid.views.size(); ++i) {
+        const View& view = grid.views[i];
+        views.push_back({{"name", viewName(grid, i)},
+                         {"axes", {view.axisX, view.axisY, view.axisW}},
+                         {"sign", view.signW},
+                         {"size", {view.width, view.height}},
+                         {"tiles", {view.columns, view.rows}},
+                         {"s", view.s},
+                         {"t", view.t}});
+    }
+    return views;
+}
+
+Json filesJson(const std::vector<DumpedFile>& files) {
+    Json list = Json::array();
+    for (const DumpedFile& file : files) {
+        Json channels = Json::array();
+        for (const ChannelInfo& info : file.channels)
+            channels.push_back(
+                {{"name", info.channel.name},
+                 {"type", info.channel.type == ExrChannel::Type::uint32 ? "uint32" : "float32"},
+                 {"space", info.space},
+                 {"unit", info.unit},
+                 {"meaning", info.meaning}});
+        list.push_back({{"file", file.file},
+                        {"buffer", file.buffer},
+                        {"event", file.event ? Json(*file.event) : Json()},
+                        {"parts", file.parts},
+                        {"channels", channels}});
+    }
+    return list;
+}
+
+/// What makes the numbers in the files mean something: the frame, the views and the channels.
+Json manifest(const Input& input, const Backend& backend, const Executor& executor,
+              const RenderResult& result, const std::vector<DumpedFile>& files) {
+    Json json = reportOf(input, backend, executor, result.build);
+    for (const char* key : {"passes", "build_ms", "memory", "threads", "spp"}) json.erase(key);
+    const GridFrame frame = backend.readGeometry().frame;
+    json["sample"] = 0;
+    json["frame"] = {{"eye", vectorJson(frame.eye)},
+                     {"right", vectorJson(frame.right)},
+                     {"down", vectorJson(frame.down)},
+                     {"forward", vectorJson(frame.forward)},
+                     {"scale", frame.scale}};
+    if (backend.hasGrid()) {
+        const Grid grid = backend.readGrid();
+        json["view_frames"] = viewsJson(grid);
+        json["at_eye"] = grid.atEye;
+    }
+    json["files"] = filesJson(files);
+    return json;
+}
+
+void dumpStructure(const Backend& backend, const Selection& wanted, Dump& dump) {
+    const FrameGeometry geometry = backend.readGeometry();
+    if (wanted.has("triangles")) dump.triangles(geometry);
+    if (!backend.hasGrid()) return;
+    const Grid grid = backend.readGrid();
+    if (wanted.has("depth")) dump.depth(grid);
+    if (wanted.has("ids")) dump.ids(grid, geometry);
+}
+
+/// \p traced: whether the event had rays, which rasterized direct visibility has not.
+void dumpEvent(const PathBuffers& paths, int event, bool traced, const Selection& wanted,
+               Dump& dump) {
+    if (traced && wanted.has("rays")) dump.rays(paths, event);
+    if (traced && wanted.has("hits")) dump.hits(paths, event);
+    if (event > 0 && wanted.has("mask")) dump.mask(paths, event);
+    if (wanted.has("visibility")) dump.visibility(paths, event);
+    if (wanted.has("shading")) dump.shading(paths, event);
+    if (wanted.has("image")) dump.image(paths, event);
+}
+
+int runDump(const DumpOptions& options) {
+    const Selection wanted(options.buffers);
+    const auto executor = makeExecutor(options.common);
+    Input input = openInput(options.common, *executor);
+    input.settings.samples = 1;
+    if (options.event && *options.event >= input.settings.bounces)
+        throw InputError("--event " + std::to_string(*options.event) + ": the path events of " +
+                         std::to_string(input.settings.bounces) + " bounces are 0 to " +
+                         std::to_string(input.settings.bounces - 1));
+    makeFolder(options.folder);
+    const auto backend = makeBackend(options.common, *executor);
+
+    const GridSettings& grid = input.settings.grid;
+    Dump dump(options.folder, grid.width, grid.height,
+              {{"dirt:scene", input.scene.name},
+               {"dirt:backend", backend->name()},
+               {"dirt:seed", std::to_string(input.settings.seed)}});
+    const bool rasterPrimary = input.settings.primary == Primary::raster && backend->rasterizes();
+    RenderHooks hooks;
+    hooks.stop = interrupted;
+    hooks.observe = [&](uint32_t, int event) {
+        const PathBuffers paths = backend->readPaths();
+        if (event == 0) {
+            dumpStructure(*backend, wanted, dump);
+            if (wanted.has("direct")) dump.direct(paths);
+        }
+        if (!options.event || *options.event == event)
+            dumpEvent(paths, event, event > 0 || !rasterPrimary, wanted, dump);
+    };
+    catchInterrupts();
+    Renderer renderer(input.scene, input.settings, *backend);
+    renderer.keepPreviousPoint();
+    const RenderResult result = renderer.render(hooks);
+    if (result.samples == 0) {
+        std::fprintf(stderr, "dirt: stopped; no manifest written\n");
+        return kInterrupted;
+    }
+
+    const std::string text =
+        manifest(input, *backend, *executor, result, dump.files()).dump(2) + "\n";
+    writeFile(options.folder + "/manifest.json", text);
+    if (options.json) std::fputs(text.c_str(), stdout);
+    if (!options.common.quiet)
+        for (const DumpedFile& file : dump.files())
+            std::fprintf(stderr, "%s/%s\n", options.folder.c_str(), file.file.c_str());
+    return 0;
+}
+
+} // namespace
+
+void addDump(CLI::App& program, int& status) {
+    CLI::App* command =
+        program.add_subcommand("dump", "writes the buffers of a frame's first sample as EXR");
+    const auto options = std::make_shared<DumpOptions>();
+    addCommonOptions(*command, options->common);
+    command
+        ->add_option("--buffers", options->buffers, "of " + Selection::list() + " (default: all)")
+        ->delimiter(',');
+    command->add_option("-o,--output", options->folder, "folder for the files; made if need be")
+        ->required();
+    addInteger(*command, "--event", 0, 1023, "only this path event (default: all)",
+               [options](int64_t k) { options->event = (int) k; });
+    command->add_flag("--json", options->json, "print the manifest on standard output");
+    command->callback([options, &status] { status = runDump(*options); });
+}
+
+} // namespace dirt
