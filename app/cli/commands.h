@@ -14,6 +14,9 @@ void addRender(CLI::App& program, int& status);
 /// `dirt verify SCENE`: adjudicates rays exactly, beside Embree.
 void addVerify(CLI::App& program, int& status);
 
+/// `dirt compare A B`: figures of how much two images differ.
+void addCompare(CLI::App& program, int& status);
+
 /// `dirt info SCENE`: what a scene holds and what its structure costs.
 void addInfo(CLI::App& program, int& status);
 

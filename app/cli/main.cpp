@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
     int status = kDone;
     addRender(program, status);
     addVerify(program, status);
+    addCompare(program, status);
     addInfo(program, status);
     addDump(program, status);
     addGenerate(program, status);
