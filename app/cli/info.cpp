@@ -1,9 +1,13 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
+#include "core/frame/memory_plan.h"
+#include "core/frame/precision.h"
+#include "core/frame/requirements.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 
 #include <glm/common.hpp>
@@ -49,6 +53,42 @@ Json vectorJson(glm::vec3 v) {
     return {v.x, v.y, v.z};
 }
 
+Json requirementsJson(const Requirements& need, const Input& input, bool rasterizes) {
+    Json json = Json::object();
+    for (const RequirementReason& row : explain(need, input.scene, input.settings, rasterizes))
+        json[row.name] = {{"required", row.required}, {"reason", row.reason}};
+    return json;
+}
+
+/// Every buffer of a frame: those of the structure as they are after the build, those of the paths
+/// as they will be.
+Json bufferJson(const Requirements& need, const Input& input, const Backend& backend) {
+    const Scene& scene = input.scene;
+    const GridSettings& grid = input.settings.grid;
+    std::map<std::string, std::string> reasons;
+    for (const PlannedBuffer& row :
+         planStructure(grid, scene.camera, scene.mesh.triangles.size(), backend.listEntries()))
+        reasons[row.name] = row.reason;
+    Json rows = Json::array();
+    for (const auto& [name, bytes] : backend.memory()) {
+        const auto known = reasons.find(name);
+        rows.push_back({{"name", name},
+                        {"bytes", bytes},
+                        {"reason", known == reasons.end() ? "the backend's own" : known->second}});
+    }
+    for (const PlannedBuffer& row : planPaths(need, grid))
+        rows.push_back({{"name", row.name}, {"bytes", row.bytes}, {"reason", row.reason}});
+    return rows;
+}
+
+Json precisionJson(const PrecisionReach& reach) {
+    return {{"diagonal", reach.diagonal},
+            {"world_spacing", reach.worldSpacing},
+            {"frame_spacing", reach.frameSpacing},
+            {"triangles_without_area", reach.withoutArea},
+            {"triangles_flattened", reach.flattened}};
+}
+
 Json describe(const Input& input, const Backend& backend, const Executor& executor,
               std::span<const PassTime> build) {
     const Scene& scene = input.scene;
@@ -66,7 +106,14 @@ Json describe(const Input& input, const Backend& backend, const Executor& execut
                       {"target", vectorJson(scene.camera.target)},
                       {"up", vectorJson(scene.camera.up)},
                       {"fov", scene.camera.verticalFov}};
+    const bool rasterizes = backend.rasterizes();
+    const Requirements need = requirementsOf(scene, input.settings, rasterizes);
+    json["requirements"] = requirementsJson(need, input, rasterizes);
+    json["buffers"] = bufferJson(need, input, backend);
+    const PrecisionReach reach = precisionReach(scene.mesh, backend.readGeometry());
+    json["precision"] = precisionJson(reach);
     json["warnings"] = Json::array();
+    for (const std::string& warning : precisionWarnings(reach)) json["warnings"].push_back(warning);
     for (const Warning& warning : input.warnings) json["warnings"].push_back(warning.text);
     json["ignored"] = input.ignored;
     return json;
@@ -111,6 +158,8 @@ void printScene(const Json& info) {
     printRow("box", vectorText(info["bounds"]["min"]) + " .. " + vectorText(info["bounds"]["max"]));
     printRow("camera",
              vectorText(info["camera"]["eye"]) + " to " + vectorText(info["camera"]["target"]));
+    printRow("without area", countText(info["precision"]["triangles_without_area"]) +
+                                 " triangles, which no ray hits");
     printList("warnings", info["warnings"]);
     printList("without effect", info["ignored"]);
 }
@@ -124,13 +173,26 @@ void printStructure(const Json& info) {
     printRow("views", countText(info["views"]) + ", " + info["view"].get<std::string>());
     printRow("tile and bins", countText(info["tile"]) + " pixels, " + countText(info["bins"]));
     printRow("list entries", countText(info["list_entries"]));
-    for (const auto& [name, bytes] : info["memory"].items())
-        printRow(name.c_str(), megabytes(bytes.get<uint64_t>()));
     for (const Json& pass : info["passes"]) {
         char text[32];
         std::snprintf(text, sizeof text, "%10.2f ms", pass["ms"].get<double>());
         printRow(pass["name"].get<std::string>().c_str(), text);
     }
+}
+
+void printRequirements(const Json& info) {
+    std::printf("requirements\n");
+    for (const auto& [name, row] : info["requirements"].items())
+        printRow(name.c_str(), std::string(row["required"].get<bool>() ? "yes: " : "no: ") +
+                                   row["reason"].get<std::string>());
+    uint64_t total = 0;
+    std::printf("buffers\n");
+    for (const Json& row : info["buffers"]) {
+        total += row["bytes"].get<uint64_t>();
+        printRow(row["name"].get<std::string>().c_str(),
+                 megabytes(row["bytes"].get<uint64_t>()) + "  " + row["reason"].get<std::string>());
+    }
+    printRow("total", megabytes(total));
 }
 
 void runInfo(const InfoOptions& options) {
@@ -149,6 +211,7 @@ void runInfo(const InfoOptions& options) {
     }
     printScene(info);
     printStructure(info);
+    printRequirements(info);
 }
 
 } // namespace

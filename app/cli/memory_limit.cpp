@@ -1,5 +1,6 @@
 #include "app/cli/memory_limit.h"
 
+#include "core/frame/path_buffers.h"
 #include "core/io/error.h"
 
 #include <algorithm>
@@ -14,9 +15,8 @@ namespace dirt {
 
 namespace {
 
-/// An image of float RGB, its 8-bit or EXR copy on the way to the file, and one Path of the
-/// sample under way for each pixel: an estimate from below.
-constexpr uint64_t kBytesPerPixel = 64;
+/// What every frame has, whatever the scene requires besides: an estimate from below.
+constexpr uint64_t kBytesPerPixel = sizeof(SurfacePoint) + 2 * sizeof(glm::vec3);
 /// Depth bounds, and a third more for the pyramid.
 constexpr uint64_t kBytesPerTile = 11;
 /// One head of a list.

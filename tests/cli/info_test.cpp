@@ -92,6 +92,61 @@ TEST(Info, MemoryIsTheSumOfItsBuffers) {
     EXPECT_EQ(memory["total"], sum);
 }
 
+TEST(Info, BuffersAreThoseOfARender) {
+    const TemporaryFolder folder;
+    const std::string light =
+        "<light type=\"spotlight\" position=\"0 1 0\" target=\"0 0 -2\" flux=\"5\"/>";
+    for (const std::string& scene : {std::string(), light})
+        for (const char* bounces : {"1", "2"})
+            for (const char* primary : {"raster", "traced"}) {
+                const std::vector<std::string> options = {sceneWith(folder, scene),
+                                                          "--size",
+                                                          "20x10",
+                                                          "--bounces",
+                                                          bounces,
+                                                          "--primary",
+                                                          primary,
+                                                          "--spp",
+                                                          "1"};
+                std::vector<std::string> render = {"render", "--quiet", "--json", "-o",
+                                                   folder / "a.exr"};
+                render.insert(render.end(), options.begin(), options.end());
+                const json memory = json::parse(dirt(render).out)["memory"];
+                size_t buffers = 0;
+                const json rows = info(options)["buffers"];
+                for (const json& row : rows) {
+                    EXPECT_EQ(memory[row["name"].get<std::string>()], row["bytes"]) << row;
+                    EXPECT_FALSE(row["reason"].get<std::string>().empty());
+                    ++buffers;
+                }
+                EXPECT_EQ(memory.size(), buffers + 1) << memory; // and their total
+            }
+}
+
+TEST(Info, SaysWhatASceneRequires) {
+    const TemporaryFolder folder;
+    const json plain = info({sceneWith(folder, ""), "--bounces", "1"})["requirements"];
+    for (const auto& [name, row] : plain.items()) EXPECT_FALSE(row["required"]) << name;
+    const json lit = info({sceneWith(
+        folder, "<light type=\"spotlight\" position=\"0 1 0\" target=\"0 0 -2\" flux=\"5\"/>")});
+    EXPECT_TRUE(lit["requirements"]["light"]["required"]);
+    EXPECT_TRUE(lit["requirements"]["indirect light"]["required"]);
+    EXPECT_FALSE(lit["requirements"]["emission"]["required"]);
+}
+
+TEST(Info, WarnsOfCoarseCoordinates) {
+    const TemporaryFolder folder;
+    const std::string far =
+        folder.write("far.obj", "v 1e6 1e6 1e6\nv 1000001 1e6 1e6\nv 1e6 1000001 1e6\nf 1 2 3\n");
+    const json warnings = info({far})["warnings"];
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].get<std::string>().find("0.0625"), std::string::npos) << warnings;
+    EXPECT_EQ(info({folder.write("near.obj", kTriangleObj)})["warnings"].size(), 0u);
+    const json flat = info({folder.write("flat.obj", "v 0 0 -2\nv 1 0 -2\nv 2 0 -2\nv 0 1 -2\n"
+                                                     "f 1 2 3\nf 1 2 4\n")});
+    EXPECT_EQ(flat["precision"]["triangles_without_area"], 1);
+}
+
 TEST(Info, JsonIsAloneOnStandardOutput) {
     const TemporaryFolder folder;
     const Outcome run = dirt(

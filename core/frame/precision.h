@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/grid/geometry.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace dirt {
+
+/// How finely float32 resolves a scene. Hits are exact for the frame's geometry; this is how far
+/// that geometry may be from what the files say.
+struct PrecisionReach {
+    double diagonal = 0.0;     ///< of the triangles' box, world units
+    double worldSpacing = 0.0; ///< of float32 at the largest world coordinate
+    double frameSpacing = 0.0; ///< of float32 at the largest distance from the eye, world units
+    uint64_t withoutArea = 0;  ///< triangles that no ray hits
+    uint64_t flattened = 0;    ///< of these, that had an area before they were moved to the eye
+};
+
+/// \p geometry must be \p mesh's.
+PrecisionReach precisionReach(const Mesh& mesh, const FrameGeometry& geometry);
+
+/// A line for each cause for concern.
+std::vector<std::string> precisionWarnings(const PrecisionReach& reach);
+
+} // namespace dirt

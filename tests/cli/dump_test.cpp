@@ -1,0 +1,128 @@
+// `dirt dump`: the manifest describes the files that are there, and what cannot be dumped ends in
+// one line.
+
+#include "tests/cli/program.h"
+
+#include <set>
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace dirt::test {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string> dumpOf(const TemporaryFolder& folder, const std::string& to,
+                                std::vector<std::string> options) {
+    folder.write("a.obj", kTriangleObj);
+    const std::string scene = folder.write(
+        "a.scene", "<world background=\"1 1 1\"><object file=\"a.obj\"/>"
+                   "<light type=\"spotlight\" position=\"0 1 0\" target=\"0 0 -2\" flux=\"5\"/>"
+                   "<user position=\"0 0 0\" lookat=\"0 0 -1\"/></world>");
+    options.insert(options.begin(), {"dump", scene, "--quiet", "--size", "20x10", "-o", to});
+    return options;
+}
+
+std::set<std::string> filesIn(const std::string& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        names.insert(entry.path().filename().string());
+    return names;
+}
+
+TEST(DumpCommand, TheManifestDescribesTheFiles) {
+    const TemporaryFolder folder;
+    const std::string to = folder / "dump";
+    const Outcome run = dirt(dumpOf(folder, to, {"--primary", "traced", "--json"}));
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json manifest = json::parse(readFile(to + "/manifest.json"));
+    EXPECT_EQ(json::parse(run.out), manifest);
+    std::set<std::string> named{"manifest.json"};
+    for (const json& file : manifest["files"]) {
+        const std::string name = file["file"];
+        named.insert(name);
+        const auto input = OIIO::ImageInput::open(to + "/" + name);
+        ASSERT_TRUE(input) << name;
+        for (size_t part = 0; part < file["parts"].size(); ++part) {
+            ASSERT_TRUE(input->seek_subimage((int) part, 0)) << name;
+            const OIIO::ImageSpec& spec = input->spec();
+            EXPECT_EQ(spec["oiio:subimagename"].get(), file["parts"][part].get<std::string>());
+            EXPECT_EQ((size_t) spec.nchannels, file["channels"].size()) << name;
+            for (const json& channel : file["channels"]) {
+                const int index = spec.channelindex(channel["name"].get<std::string>());
+                ASSERT_GE(index, 0) << name << " " << channel;
+                EXPECT_EQ(spec.channelformat(index), channel["type"] == "uint32"
+                                                         ? OIIO::TypeDesc::UINT
+                                                         : OIIO::TypeDesc::FLOAT);
+                EXPECT_FALSE(channel["meaning"].get<std::string>().empty());
+            }
+        }
+        EXPECT_FALSE(input->seek_subimage((int) file["parts"].size(), 0)) << name;
+    }
+    EXPECT_EQ(filesIn(to), named);
+    for (const char* name :
+         {"triangles.exr", "depth.exr", "ids.exr", "direct.exr", "rays.0.exr", "hits.2.exr",
+          "mask.1.exr", "visibility.0.exr", "shading.2.exr", "image.2.exr"})
+        EXPECT_TRUE(named.contains(name)) << name;
+    EXPECT_EQ(manifest["view_frames"].size(), 6u);
+}
+
+TEST(DumpCommand, WritesWhatIsAskedFor) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(dirt(dumpOf(folder, folder / "a", {"--buffers", "ids,hits", "--event", "1"})).status,
+              0);
+    EXPECT_EQ(filesIn(folder / "a"),
+              (std::set<std::string>{"ids.exr", "hits.1.exr", "manifest.json"}));
+    ASSERT_EQ(dirt(dumpOf(folder, folder / "b", {"--buffers", "direct", "--event", "2"})).status,
+              0);
+    EXPECT_EQ(filesIn(folder / "b"), (std::set<std::string>{"direct.exr", "manifest.json"}));
+    ASSERT_EQ(dirt(dumpOf(folder, folder / "c", {"--view", "single", "--bounces", "1"})).status, 0);
+    EXPECT_EQ(filesIn(folder / "c"),
+              (std::set<std::string>{"triangles.exr", "depth.exr", "ids.exr", "direct.exr",
+                                     "visibility.0.exr", "shading.0.exr", "image.0.exr",
+                                     "manifest.json"}));
+}
+
+TEST(DumpCommand, EndsInOneLine) {
+    const TemporaryFolder folder;
+    const auto fails = [&](const std::string& to, const std::vector<std::string>& options,
+                           const char* what) {
+        const Outcome run = dirt(dumpOf(folder, to, options));
+        EXPECT_EQ(run.status, 2);
+        EXPECT_NE(run.err.find(what), std::string::npos) << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    };
+    fails(folder / "a", {"--buffers", "depth,colour"}, "colour");
+    fails(folder / "a", {"--event", "3"}, "--event 3");
+    fails(folder / "none/a", {}, "none/a");
+    fails(folder.write("file", "text"), {}, "file");
+    EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+    EXPECT_EQ(readFile(folder / "file"), "text");
+}
+
+#ifdef DIRT_HAVE_EMBREE
+TEST(DumpCommand, EmbreeHasNoGridButTheSameHits) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> options = {"--buffers", "depth,ids,rays,shading"};
+    ASSERT_EQ(dirt(dumpOf(folder, folder / "cpu", options)).status, 0);
+    std::vector<std::string> embree = options;
+    embree.insert(embree.end(), {"--backend", "embree"});
+    ASSERT_EQ(dirt(dumpOf(folder, folder / "embree", embree)).status, 0);
+    EXPECT_FALSE(filesIn(folder / "embree").contains("ids.exr"));
+    const auto pixels = [&](const std::string& file) {
+        const auto input = OIIO::ImageInput::open(folder / file);
+        std::vector<char> bytes(input ? input->spec().image_bytes(true) : 0);
+        EXPECT_TRUE(input && input->read_image(0, 0, 0, input->spec().nchannels,
+                                               OIIO::TypeDesc::UNKNOWN, bytes.data()));
+        return bytes;
+    };
+    for (const char* file : {"shading.0.exr", "rays.1.exr", "shading.2.exr"})
+        EXPECT_EQ(pixels(std::string("cpu/") + file), pixels(std::string("embree/") + file))
+            << file;
+}
+#endif
+
+} // namespace
+} // namespace dirt::test
