@@ -6,12 +6,42 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <iterator>
 #include <set>
 #include <string_view>
 
 namespace dirt {
 
 namespace {
+
+constexpr SceneAttribute kHonoured[] = {
+    {"world", "background"},
+    {"directory", "path"},
+    {"tracing", "faces"},
+    {"tracing", "block_size"},
+    {"tracing", "buckets"},
+    {"tracing", "indirect_bounces"},
+    {"camera", "aperture"},
+    {"user", "position"},
+    {"user", "lookat"},
+    {"user", "target"}, // what some of the demo's files say for lookat
+    {"light", "active"},
+    {"light", "type"},
+    {"light", "position"},
+    {"light", "target"},
+    {"light", "flux"},
+    {"light", "color"},
+    {"light", "aperture"},
+    {"light", "penumbra"},
+    {"light", "spotlight_exponent"},
+    {"light", "conical"},
+    {"transformation", "scale"},
+    {"transformation", "rotation"},
+    {"transformation", "translation"},
+    {"object", "file"},
+    {"tonemapping", "key"},
+    {"tonemapping", "white"},
+};
 
 class SceneFileReader {
 public:
@@ -24,9 +54,8 @@ public:
         const pugi::xml_node root = xml_.root();
         if (std::string_view(root.name()) != "world")
             xml_.fail(root, "the root element must be <world>");
-        const XmlAttributes attributes(xml_, root);
+        const XmlAttributes attributes = attributesOf(root);
         scene_.background = attributes.colour("background").value_or(scene_.background);
-        attributes.ignoreOthers({"background"}, report_);
         for (const pugi::xml_node child : root.children()) worldChild(child);
         return std::move(scene_);
     }
@@ -50,46 +79,59 @@ private:
             placed(node, glm::dmat4(1.0));
     }
 
+    /// Typed access to the node's attributes; those without effect are reported.
+    XmlAttributes attributesOf(pugi::xml_node node) {
+        const XmlAttributes attributes(xml_, node);
+        const std::string_view element = node.name();
+        attributes.ignoreOthers(
+            [element](std::string_view name) {
+                return std::any_of(std::begin(kHonoured), std::end(kHonoured),
+                                   [&](const SceneAttribute& honoured) {
+                                       return honoured.element == element &&
+                                              honoured.attribute == name;
+                                   });
+            },
+            report_);
+        return attributes;
+    }
+
     pugi::xml_node once(pugi::xml_node node) {
         if (!seen_.insert(node.name()).second) xml_.fail(node, "there may be one only");
         return node;
     }
 
     void directory(pugi::xml_node node) {
-        const XmlAttributes attributes(xml_, node);
+        const XmlAttributes attributes = attributesOf(node);
         scene_.directories.push_back(attributes.text("path").value_or(""));
-        attributes.ignoreOthers({"path"}, report_);
         ignoreChildren(node);
     }
 
     void tracing(pugi::xml_node node) {
-        const XmlAttributes attributes(xml_, node);
+        const XmlAttributes attributes = attributesOf(node);
         SceneSettings& settings = scene_.settings;
+        // The ranges of the program's options.
         settings.tile = attributes.integer("block_size", 1, 64);
-        settings.bins = attributes.integer("buckets", 1, 1 << 16);
-        if (const auto bounces = attributes.integer("indirect_bounces", 0, 1 << 16))
+        settings.bins = attributes.integer("buckets", 1, 256);
+        if (const auto bounces = attributes.integer("indirect_bounces", 0, 1023))
             settings.bounces = *bounces + 1;
         if (const auto faces = attributes.text("faces")) {
             if (*faces != "cubemap" && *faces != "single")
                 xml_.fail(node, "faces=" + inQuotes(*faces) + " is neither cubemap nor single");
             settings.view = *faces == "single" ? ViewMode::single : ViewMode::full;
         }
-        attributes.ignoreOthers({"block_size", "buckets", "indirect_bounces", "faces"}, report_);
         ignoreChildren(node);
     }
 
     void camera(pugi::xml_node node) {
-        const XmlAttributes attributes(xml_, node);
+        const XmlAttributes attributes = attributesOf(node);
         float& fov = scene_.camera.verticalFov;
         fov = attributes.number("aperture", 0.001, 179.0).value_or(fov);
-        attributes.ignoreOthers({"aperture"}, report_);
         ignoreChildren(node);
     }
 
     void user(pugi::xml_node node) {
-        const XmlAttributes attributes(xml_, node);
+        const XmlAttributes attributes = attributesOf(node);
         const auto eye = attributes.vector3("position");
-        // Some of the demo's files say target.
         auto target = attributes.vector3("lookat");
         if (!target) target = attributes.vector3("target");
         scene_.hasCamera = eye.has_value() || target.has_value();
@@ -98,15 +140,11 @@ private:
             target ? glm::vec3(*target) : scene_.camera.eye + glm::vec3(0.0f, 0.0f, -1.0f);
         if (scene_.camera.target == scene_.camera.eye)
             xml_.fail(node, "position and lookat are the same point");
-        attributes.ignoreOthers({"position", "lookat", "target"}, report_);
         ignoreChildren(node);
     }
 
     void light(pugi::xml_node node) {
-        const XmlAttributes attributes(xml_, node);
-        attributes.ignoreOthers({"active", "type", "flux", "color", "position", "target",
-                                 "aperture", "penumbra", "spotlight_exponent", "conical"},
-                                report_);
+        const XmlAttributes attributes = attributesOf(node);
         ignoreChildren(node);
         if (!attributes.boolean("active").value_or(true)) return;
         const std::string type = attributes.text("type").value_or("spotlight");
@@ -131,7 +169,7 @@ private:
     }
 
     void toneMapping(pugi::xml_node node) {
-        const XmlAttributes attributes(xml_, node);
+        const XmlAttributes attributes = attributesOf(node);
         ToneMapping& tone = scene_.toneMapping;
         // 10^key must be a float32 number above 0.
         tone.key = attributes.number("key", -37.0, 38.0).value_or(tone.key);
@@ -139,7 +177,6 @@ private:
             tone.white = std::max({white->x, white->y, white->z});
             if (!(tone.white > 0.0f)) xml_.fail(node, "white is black");
         }
-        attributes.ignoreOthers({"key", "white"}, report_);
         ignoreChildren(node);
     }
 
@@ -155,7 +192,7 @@ private:
     }
 
     void transformation(pugi::xml_node node, const glm::dmat4& parentToWorld) {
-        const XmlAttributes attributes(xml_, node);
+        const XmlAttributes attributes = attributesOf(node);
         const auto scale = attributes.vector3("scale").value_or(glm::dvec3(1.0));
         const auto translation = attributes.vector3("translation").value_or(glm::dvec3(0.0));
         // Angle in degrees, then the axis.
@@ -164,7 +201,6 @@ private:
             if (rotation.x != 0.0) xml_.fail(node, "the rotation's axis is zero");
             rotation = glm::dvec4(0, 0, 1, 0);
         }
-        attributes.ignoreOthers({"scale", "translation", "rotation"}, report_);
         const glm::dmat4 toWorld =
             parentToWorld * placement(scale, rotation.x,
                                       glm::dvec3(rotation.y, rotation.z, rotation.w), translation);
@@ -172,11 +208,10 @@ private:
     }
 
     void object(pugi::xml_node node, const glm::dmat4& toWorld) {
-        const XmlAttributes attributes(xml_, node);
+        const XmlAttributes attributes = attributesOf(node);
         const auto file = attributes.text("file");
         if (!file || trimmed(*file).empty()) xml_.fail(node, "file is missing");
         scene_.objects.push_back({*file, xml_.line(node), toWorld});
-        attributes.ignoreOthers({"file"}, report_);
         ignoreChildren(node);
     }
 
@@ -199,6 +234,10 @@ private:
 };
 
 } // namespace
+
+std::span<const SceneAttribute> honouredSceneAttributes() {
+    return kHonoured;
+}
 
 SceneFile readSceneFile(const std::filesystem::path& file, LoadReport& report) {
     return SceneFileReader(file, report).read();

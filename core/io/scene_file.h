@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -41,6 +43,14 @@ struct SceneFile {
     ToneMapping toneMapping;
     SceneSettings settings;
 };
+
+/// An attribute of one of the format's elements.
+struct SceneAttribute {
+    std::string_view element, attribute;
+};
+
+/// The attributes that readSceneFile honours. (`name` may stand anywhere, as a label.)
+std::span<const SceneAttribute> honouredSceneAttributes();
 
 /// Reads a .scene file. Elements and attributes without effect are reported as ignored. Throws
 /// InputError with the element's line where the file is not well-formed XML, a value is malformed

@@ -162,11 +162,11 @@ std::optional<glm::vec3> XmlAttributes::colour(const char* name) const {
     return glm::vec3(*value);
 }
 
-void XmlAttributes::ignoreOthers(std::initializer_list<std::string_view> known,
+void XmlAttributes::ignoreOthers(const std::function<bool(std::string_view)>& known,
                                  LoadReport& report) const {
     for (const pugi::xml_attribute attribute : node_.attributes()) {
         const std::string_view name = attribute.name();
-        if (name != "name" && std::find(known.begin(), known.end(), name) == known.end())
+        if (name != "name" && !known(name))
             report.ignore("attribute " + std::string(name) + " of <" + node_.name() + ">");
     }
 }

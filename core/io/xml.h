@@ -3,7 +3,7 @@
 #include "core/io/load_report.h"
 
 #include <filesystem>
-#include <initializer_list>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,8 +58,8 @@ public:
     /// Three numbers that are not negative.
     std::optional<glm::vec3> colour(const char* name) const;
 
-    /// Reports every attribute but \p known, and `name`, as ignored.
-    void ignoreOthers(std::initializer_list<std::string_view> known, LoadReport& report) const;
+    /// Reports every attribute that is not \p known, and not `name`, as ignored.
+    void ignoreOthers(const std::function<bool(std::string_view)>& known, LoadReport& report) const;
 
 private:
     [[noreturn]] void fail(const char* name, const std::string& message) const;

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "tests/support/temporary_folder.h"
+
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,40 +17,6 @@ struct Outcome {
     int status = -1; ///< exit status; 128 + signal where a signal ended it
     std::string out, err;
 };
-
-/// A folder of its own for one test, removed in the end.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "dirt-test-XXXXXX").string();
-        if (!mkdtemp(name.data())) std::abort();
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
-    /// Writes \p text to a file of that name and gives its path.
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return *this / name;
-    }
-
-private:
-    std::filesystem::path path_;
-};
-
-inline std::string readFile(const std::string& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 /// Runs \p program with \p arguments, passed as they are.
 inline Outcome runProgram(const std::string& program, const std::vector<std::string>& arguments) {

@@ -1,5 +1,5 @@
 #include "core/io/find_file.h"
-#include "tests/io/temp_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ protected:
         const auto found = findFile(folder_.path(), name);
         return found ? found->lexically_relative(folder_.path()).string() : "";
     }
-    TempFolder folder_;
+    test::TemporaryFolder folder_;
 };
 
 TEST_F(FindFile, FindsTheNameAsItIs) {

@@ -2,7 +2,7 @@
 
 #include "core/io/load.h"
 #include "tests/io/input_error.h"
-#include "tests/io/temp_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ std::string damaged(std::string text, std::mt19937& random) {
 }
 
 TEST(Fuzz, DamagedFilesLoadOrEndInOneLine) {
-    const TempFolder folder;
+    const test::TemporaryFolder folder;
     std::mt19937 random(1);
     const int rounds = std::getenv("DIRT_TEST_FULL") ? 200000 : 3000;
     int loads = 0, errors = 0;

@@ -1,6 +1,6 @@
 #include "core/io/load.h"
 #include "tests/io/input_error.h"
-#include "tests/io/temp_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ protected:
                     output->write_image(OIIO::TypeDesc::UINT8, red) && output->close());
     }
 
-    TempFolder folder_;
+    test::TemporaryFolder folder_;
 };
 
 TEST_F(Load, ABareObjHasNeitherCameraNorLight) {

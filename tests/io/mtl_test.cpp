@@ -1,6 +1,6 @@
 #include "core/io/mtl.h"
 #include "tests/io/input_error.h"
-#include "tests/io/temp_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -19,12 +19,12 @@ protected:
         return read("newmtl a\nmap_Kd " + arguments + "\n").at(0).diffuseMap;
     }
     std::string error(const std::string& text) {
-        const std::string file = folder_.write("test.mtl", text).string();
+        const std::string file = folder_.write("test.mtl", text);
         const std::string what = inputError([&] { readMtl(file, report_); });
         return what.empty() ? what : what.substr(file.size());
     }
 
-    TempFolder folder_;
+    test::TemporaryFolder folder_;
     LoadReport report_;
 };
 

@@ -1,6 +1,6 @@
 #include "core/io/obj.h"
 #include "tests/io/input_error.h"
-#include "tests/io/temp_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ protected:
     }
     /// The error's text after the file's name: ":line: message".
     std::string error(const std::string& text) {
-        const std::string file = folder_.write("test.obj", text).string();
+        const std::string file = folder_.write("test.obj", text);
         const std::string what = inputError([&] { readObj(file, report_); });
         return what.empty() ? what : what.substr(file.size());
     }
@@ -31,7 +31,7 @@ protected:
         return indices;
     }
 
-    TempFolder folder_;
+    test::TemporaryFolder folder_;
     LoadReport report_;
 };
 

@@ -1,7 +1,6 @@
 #include "core/io/scene_file.h"
 #include "tests/io/input_error.h"
-#include "tests/io/temp_folder.h"
-#include "tests/io/test_scenes.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +23,7 @@ protected:
     }
     /// The error's text after the file's name: ":line: message".
     std::string error(const std::string& text) {
-        const std::string file = folder_.write("test.scene", text).string();
+        const std::string file = folder_.write("test.scene", text);
         const std::string what = inputError([&] { readSceneFile(file, report_); });
         return what.empty() ? what : what.substr(file.size());
     }
@@ -32,7 +31,7 @@ protected:
         return error("<world>\n" + content + "\n</world>");
     }
 
-    TempFolder folder_;
+    test::TemporaryFolder folder_;
     LoadReport report_;
 };
 
@@ -201,45 +200,71 @@ TEST_F(SceneXml, RefusesBottomlessNesting) {
     EXPECT_EQ(error(text + "</world>"), ":1: <transformation>: elements are nested too deeply");
 }
 
-/// Every scene file of the 2017 demo; its models are not there.
-TEST_F(SceneXml, ReadsTheDemo) {
-    if (!std::filesystem::is_directory(demoFolder()))
-        GTEST_SKIP() << "no files of the 2017 demo at " << demoFolder();
-    int files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(demoFolder())) {
-        if (entry.path().extension() != ".scene") continue;
-        SCOPED_TRACE(entry.path());
-        ++files;
-        const SceneFile scene = readSceneFile(entry.path(), report_);
-        const std::string name = entry.path().stem().string();
-        EXPECT_TRUE(scene.hasCamera);
-        EXPECT_TRUE(scene.light);
-        EXPECT_EQ(scene.settings.bounces, 2);
-        EXPECT_EQ(scene.settings.view,
-                  name.find("full") != std::string::npos ? ViewMode::full : ViewMode::single);
-        EXPECT_TRUE(scene.settings.tile && *scene.settings.tile <= 8);
-        const size_t objects = name[0] == 'b' ? scene.objects.size() : name[0] == 'h' ? 3 : 1;
-        EXPECT_EQ(scene.objects.size(), name.rfind("template", 0) == 0 ? 0 : objects);
+/// Wherever a file breaks off, it is refused with a line that it has.
+TEST_F(SceneXml, RefusesEveryTruncation) {
+    const std::string text = "<?xml version=\"1.0\"?>\n<!-- a -->\n<world background='1 1 1'>\n"
+                             "<object file='a.obj'/>\n<user position='0 0 1'></user>\n</world>";
+    EXPECT_EQ(error(text), "");
+    for (size_t length = 0; length < text.size(); ++length) {
+        const std::string cut = text.substr(0, length), what = error(cut);
+        ASSERT_EQ(what.rfind(':', 0), 0u) << length << " bytes: " << what;
+        const size_t line = std::stoul(what.substr(1));
+        EXPECT_LE(line, 1u + (size_t) std::count(cut.begin(), cut.end(), '\n')) << what;
+        EXPECT_GE(line, 1u) << what;
     }
-    EXPECT_EQ(files, 17);
 }
 
-TEST_F(SceneXml, ReadsTheHangarInDetail) {
-    const auto file = demoFolder() / "hangar_dirt_full.scene";
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
-    const SceneFile scene = readSceneFile(file, report_);
-    EXPECT_EQ(scene.directories, std::vector<std::string>{"Hangar"});
-    EXPECT_EQ(scene.camera.verticalFov, 60.0f);
-    EXPECT_EQ(scene.camera.eye, glm::vec3(-8.73f, 4.57f, 8.24f));
-    EXPECT_EQ(scene.camera.target, glm::vec3(-0.93f, -0.84f, 28.31f));
-    EXPECT_EQ(scene.light->flux, 3000.0f);
-    EXPECT_EQ(scene.light->penumbra, 20.0f);
-    EXPECT_EQ(scene.settings.bins, 20);
-    EXPECT_EQ(scene.toneMapping.white, 2.0f);
-    EXPECT_EQ(scene.objects[2].file, "dreadnaught.obj");
-    EXPECT_EQ(scene.objects[2].line, 37u);
-    EXPECT_EQ(scene.objects[2].toWorld[3], glm::dvec4(3, 0, 26, 1));
+/// What is listed as honoured is read: nonsense in it is noticed. (A folder may have any name.)
+TEST_F(SceneXml, HonouredAttributesAreRead) {
+    for (const auto& [element, attribute] : honouredSceneAttributes()) {
+        if (element == "directory" || element == "object") continue;
+        const std::string nonsense = std::string(attribute) + "='?'";
+        const std::string text =
+            element == "world" ? "<world " + nonsense + "/>"
+                               : "<world><" + std::string(element) + " " + nonsense + "/></world>";
+        EXPECT_NE(error(text).find(nonsense), std::string::npos) << text;
+        EXPECT_TRUE(report_.ignored().empty());
+    }
 }
+
+struct BadAttribute {
+    const char *element, *attribute, *value;
+};
+
+void PrintTo(const BadAttribute& bad, std::ostream* out) {
+    *out << bad.element << ' ' << bad.attribute << "='" << bad.value << "'";
+}
+
+class AttributeOutOfRange : public SceneXml, public testing::WithParamInterface<BadAttribute> {};
+
+TEST_P(AttributeOutOfRange, IsNamedWithItsLine) {
+    const auto& [element, attribute, value] = GetParam();
+    const std::string what =
+        errorInWorld("\n<" + std::string(element) + " " + attribute + "='" + value + "'/>");
+    EXPECT_EQ(what.rfind(":3: <" + std::string(element) + ">: ", 0), 0u) << what;
+    EXPECT_NE(what.find(attribute), std::string::npos) << what;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, AttributeOutOfRange,
+    testing::Values(
+        BadAttribute{"tracing", "block_size", "0"}, BadAttribute{"tracing", "block_size", "65"},
+        BadAttribute{"tracing", "block_size", "1000000"},
+        BadAttribute{"tracing", "block_size", "2.5"}, BadAttribute{"tracing", "block_size", ""},
+        BadAttribute{"tracing", "buckets", "0"}, BadAttribute{"tracing", "buckets", "-1"},
+        BadAttribute{"tracing", "buckets", "257"},
+        BadAttribute{"tracing", "buckets", "99999999999999999999"},
+        BadAttribute{"tracing", "indirect_bounces", "-1"},
+        BadAttribute{"tracing", "indirect_bounces", "1024"},
+        BadAttribute{"tracing", "faces", "Cubemap "}, BadAttribute{"camera", "aperture", "0"},
+        BadAttribute{"camera", "aperture", "nan"}, BadAttribute{"user", "position", "inf 0 0"},
+        BadAttribute{"user", "position", "1e39 0 0"}, BadAttribute{"user", "lookat", ""},
+        BadAttribute{"light", "flux", "-inf"}, BadAttribute{"light", "flux", "1 2"},
+        BadAttribute{"light", "aperture", "361"}, BadAttribute{"light", "spotlight_exponent", "-1"},
+        BadAttribute{"tonemapping", "key", "1e9"}, BadAttribute{"tonemapping", "white", "0,0,0"},
+        BadAttribute{"transformation", "rotation", "90,0,1"},
+        BadAttribute{"transformation", "translation", "1;2;3"},
+        BadAttribute{"object", "file", " "}));
 
 } // namespace
 } // namespace dirt

@@ -12,9 +12,11 @@ inline std::filesystem::path scenesFolder() {
     return std::filesystem::path(DIRT_SOURCE_DIR) / "../shared/scenes";
 }
 
-/// Folder of the 2017 demo's scene and material files, beside that of the scenes.
+/// Folder of the 2017 demo's scene and material files: $DIRT_DEMO2017, else ../shared/demo2017
+/// beside the repository. It need not be there.
 inline std::filesystem::path demoFolder() {
-    return scenesFolder() / "../demo2017";
+    if (const char* folder = std::getenv("DIRT_DEMO2017")) return folder;
+    return std::filesystem::path(DIRT_SOURCE_DIR) / "../shared/demo2017";
 }
 
 } // namespace dirt

@@ -5,7 +5,7 @@
 #include "core/io/text_file.h"
 #include "core/io/utf8.h"
 #include "tests/io/input_error.h"
-#include "tests/io/temp_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -44,20 +44,19 @@ TEST(LineReader, DoesNotContinueComments) {
 }
 
 TEST(TextFile, SkipsAByteOrderMark) {
-    const TempFolder folder;
+    const test::TemporaryFolder folder;
     EXPECT_EQ(readTextFile(folder.write("a.obj", "\xef\xbb\xbfv")), "v");
 }
 
 TEST(TextFile, RefusesWhatIsNoText) {
-    const TempFolder folder;
+    const test::TemporaryFolder folder;
     const auto errorOf = [](const std::filesystem::path& file) {
         return inputError([&] { readTextFile(file); });
     };
-    const auto utf16 = folder.write("utf16.obj", std::string("\xfe\xff\0v", 4));
-    const auto nul = folder.write("nul.obj", std::string("v 1\nv \0", 7));
-    EXPECT_EQ(errorOf(utf16),
-              utf16.string() + ":1: is UTF-16; only ASCII and UTF-8 text can be read");
-    EXPECT_EQ(errorOf(nul), nul.string() + ":2: holds a NUL byte: not a text file");
+    const std::string utf16 = folder.write("utf16.obj", std::string("\xfe\xff\0v", 4));
+    const std::string nul = folder.write("nul.obj", std::string("v 1\nv \0", 7));
+    EXPECT_EQ(errorOf(utf16), utf16 + ":1: is UTF-16; only ASCII and UTF-8 text can be read");
+    EXPECT_EQ(errorOf(nul), nul + ":2: holds a NUL byte: not a text file");
     EXPECT_EQ(errorOf(folder.path()), folder.path().string() + ": is a folder, not a file");
     EXPECT_EQ(errorOf(folder.path() / "none"),
               (folder.path() / "none").string() + ": no such file");

@@ -1,6 +1,6 @@
 #include "core/io/texture_file.h"
 #include "tests/io/input_error.h"
-#include "tests/io/temp_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ std::filesystem::path writeImage(const std::filesystem::path& file, int channels
 constexpr auto kByte = OIIO::TypeDesc::UINT8;
 
 TEST(TextureFile, ReadsColour) {
-    const TempFolder folder;
+    const test::TemporaryFolder folder;
     const Texture t = readTexture(
         writeImage(folder.path() / "a.png", 3, kByte, {1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f}));
     EXPECT_EQ(t.width(), 2);
@@ -54,7 +54,7 @@ TEST(TextureFile, ReadsColour) {
 }
 
 TEST(TextureFile, MakesGreyOfOneChannel) {
-    const TempFolder folder;
+    const test::TemporaryFolder folder;
     const Texture t = readTexture(writeImage(folder.path() / "a.png", 1, kByte, {1.0f}));
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(1));
     const Texture alpha = readTexture(writeImage(folder.path() / "b.png", 2, kByte, {1.0f, 0.0f}));
@@ -62,14 +62,14 @@ TEST(TextureFile, MakesGreyOfOneChannel) {
 }
 
 TEST(TextureFile, DoesNotMultiplyByAlpha) {
-    const TempFolder folder;
+    const test::TemporaryFolder folder;
     const Texture t =
         readTexture(writeImage(folder.path() / "a.png", 4, kByte, {1.0f, 1.0f, 0.0f, 0.0f}));
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(1, 1, 0));
 }
 
 TEST(TextureFile, ReadsDeepIntegersAsSrgbToo) {
-    const TempFolder folder;
+    const test::TemporaryFolder folder;
     const Texture t = readTexture(
         writeImage(folder.path() / "a.png", 3, OIIO::TypeDesc::UINT16, {1.0f, 0.0f, 1.0f}));
     EXPECT_EQ(t.bytes(), 3u);
@@ -77,7 +77,7 @@ TEST(TextureFile, ReadsDeepIntegersAsSrgbToo) {
 }
 
 TEST(TextureFile, ReadsFloatsAsTheyAre) {
-    const TempFolder folder;
+    const test::TemporaryFolder folder;
     const Texture t = readTexture(
         writeImage(folder.path() / "a.exr", 3, OIIO::TypeDesc::HALF, {0.5f, 0.25f, 100.0f}));
     EXPECT_EQ(t.bytes(), 12u);
@@ -85,7 +85,7 @@ TEST(TextureFile, ReadsFloatsAsTheyAre) {
 }
 
 TEST(TextureFile, RefusesFloatsThatAreNoColour) {
-    const TempFolder folder;
+    const test::TemporaryFolder folder;
     for (const float bad : {-1.0f, std::nanf(""), std::numeric_limits<float>::infinity()}) {
         const auto file =
             writeImage(folder.path() / "a.exr", 3, OIIO::TypeDesc::FLOAT, {bad, 0.0f, 0.0f});
@@ -95,7 +95,7 @@ TEST(TextureFile, RefusesFloatsThatAreNoColour) {
 }
 
 TEST(TextureFile, RefusesDamagedFilesInOneLine) {
-    const TempFolder folder;
+    const test::TemporaryFolder folder;
     std::vector<float> noise(3 * 4096);
     for (size_t i = 0; i < noise.size(); ++i) noise[i] = (float) (i * 7919 % 256) / 255.0f;
     const auto whole = writeImage(folder.path() / "whole.png", 3, kByte, noise);
