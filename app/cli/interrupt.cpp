@@ -1,9 +1,10 @@
 #include "app/cli/interrupt.h"
 
+#include "core/io/output_file.h"
+
 #include <atomic>
 
 #include <signal.h>
-#include <unistd.h>
 
 namespace dirt {
 
@@ -12,17 +13,29 @@ namespace {
 std::atomic<bool> stopRequested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 
-void onInterrupt(int) {
-    if (stopRequested.exchange(true)) _exit(kInterrupted);
+void exitNow(int) {
+    exitBetweenFiles(kInterrupted);
+}
+
+void onInterrupt(int signal) {
+    if (stopRequested.exchange(true)) exitNow(signal);
+}
+
+void handle(void (*handler)(int)) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART; // writing what is done must not fail halfway
+    sigaction(SIGINT, &action, nullptr);
 }
 
 } // namespace
 
+void exitOnInterrupt() {
+    handle(exitNow);
+}
+
 void catchInterrupts() {
-    struct sigaction action {};
-    action.sa_handler = onInterrupt;
-    action.sa_flags = SA_RESTART; // writing what is done must not fail halfway
-    sigaction(SIGINT, &action, nullptr);
+    handle(onInterrupt);
 }
 
 bool interrupted() {

@@ -1,80 +1,10 @@
-#include "app/cli/commands.h"
-#include "core/io/error.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/program.h"
 
-#include <cstdio>
-#include <exception>
-#include <new>
-#include <string>
-#include <vector>
-
-#include <CLI/CLI.hpp>
-
-namespace dirt {
-
-namespace {
-
-enum ExitStatus { kDone = 0, kBadInput = 2, kMissingCapability = 3 };
-
-/// Prints the one line that explains a status of 2 or 3.
-int fail(ExitStatus status, const std::string& message) {
-    const std::string line = message.substr(0, message.find('\n'));
-    std::fprintf(stderr, "dirt: %s\n", line.c_str());
-    return status;
-}
-
-/// One line for what CLI11 says on one or two, in our words where its own are not clear.
-std::string describe(const CLI::App& program, const CLI::ParseError& error) {
-    const auto chosen = program.get_subcommands();
-    const std::string help = " (dirt " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +
-                             "--help shows what there is)";
-    const auto is = [&](CLI::ExitCodes kind) { return error.get_exit_code() == (int) kind; };
-    const std::string text = error.what();
-    const std::vector<std::string> extras = program.remaining(true);
-    if (is(CLI::ExitCodes::ExtrasError) && !extras.empty())
-        return "unexpected argument '" + extras.front() + "'" + help;
-    if (is(CLI::ExitCodes::ArgumentMismatch))
-        return text.substr(0, text.find(':')) + ": its value is missing" + help;
-    return is(CLI::ExitCodes::RequiredError) ? text + help : text;
-}
-
-int run(int argc, char** argv) {
-    CLI::App program("Deferred Image-based Ray Tracing: the reference implementation", "dirt");
-    program.set_version_flag("--version", "dirt " DIRT_VERSION);
-    program.require_subcommand(0, 1);
-    program.get_formatter()->column_width(36);
-
-    int status = kDone;
-    addRender(program, status);
-    addVerify(program, status);
-    addCompare(program, status);
-    addInfo(program, status);
-    addDump(program, status);
-    addGenerate(program, status);
-
-    try {
-        program.parse(argc, argv);
-        if (program.get_subcommands().empty()) std::fputs(program.help().c_str(), stdout);
-        return status;
-    } catch (const CLI::Success& request) { // --help, --version
-        return program.exit(request);
-    } catch (const CLI::ParseError& error) {
-        return fail(kBadInput, describe(program, error));
-    } catch (const InputError& error) {
-        return fail(kBadInput, error.what());
-    } catch (const CapabilityError& error) {
-        return fail(kMissingCapability, error.what());
-    } catch (const std::bad_alloc&) {
-        return fail(kBadInput, "out of memory: a smaller --size, fewer --bins or a larger --tile "
-                               "needs less");
-    } catch (const std::exception& error) {
-        return fail(kBadInput, error.what());
-    }
-}
-
-} // namespace
-
-} // namespace dirt
+#include <signal.h>
 
 int main(int argc, char** argv) {
-    return dirt::run(argc, argv);
+    dirt::exitOnInterrupt();
+    signal(SIGXFSZ, SIG_IGN); // a file that grows beyond its limit is an error like a full disk
+    return dirt::runProgram(argc, argv);
 }

@@ -1,42 +1,23 @@
 #include "scenes/generate/output.h"
 
-#include <OpenImageIO/imageio.h>
+#include "core/io/image.h"
+#include "core/io/output_file.h"
+
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <functional>
 #include <future>
-#include <stdexcept>
-#include <system_error>
+#include <span>
 
 namespace dirt::generate {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Lets `write` fill a temporary file beside `path`, then renames it; leaves nothing on failure.
-void replaceFile(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-    // The extension stays last: image formats are chosen by it.
-    std::string partialName = ".partial-";
-    partialName += path.filename().string();
-    const fs::path partial = path.parent_path() / partialName;
-    try {
-        write(partial);
-        fs::rename(partial, path);
-    } catch (...) {
-        std::error_code ignored;
-        fs::remove(partial, ignored);
-        throw;
-    }
-}
-
 /// Text output through one large buffer; numbers are the shortest that read back the same.
 class TextFile {
 public:
-    explicit TextFile(const fs::path& path) : path_(path), stream_(path, std::ios::binary) {
-        buffer_.reserve(capacity);
-    }
+    explicit TextFile(const fs::path& path) : file_(path.string()) { buffer_.reserve(capacity); }
 
     TextFile& operator<<(std::string_view text) {
         buffer_ += text;
@@ -54,20 +35,18 @@ public:
 
     void close() {
         flush();
-        stream_.close();
-        if (!stream_) throw std::runtime_error("cannot write " + path_.string());
+        file_.takePlace();
     }
 
 private:
     static constexpr std::size_t capacity = 1 << 20;
 
     void flush() {
-        stream_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+        file_.write(std::as_bytes(std::span(buffer_)));
         buffer_.clear();
     }
 
-    fs::path path_;
-    std::ofstream stream_;
+    OutputFile file_;
     std::string buffer_;
 };
 
@@ -165,15 +144,7 @@ void writeTexture(const TextureRecipe& recipe, const fs::path& path) {
             }
         }
     }
-    auto file = OIIO::ImageOutput::create(path.string());
-    // A full disk shows only in geterror() for some formats, so it is asked even after success.
-    if (!file ||
-        !file->open(path.string(), OIIO::ImageSpec(size, size, 3, OIIO::TypeDesc::UINT8)) ||
-        !file->write_image(OIIO::TypeDesc::UINT8, pixels.data()) || !file->close() ||
-        file->has_error()) {
-        throw std::runtime_error("cannot write " + path.string() + ": " +
-                                 (file ? file->geterror() : OIIO::geterror()));
-    }
+    writePng(path.string(), size, size, pixels, {});
 }
 
 } // namespace
@@ -182,34 +153,27 @@ std::vector<fs::path> writeModel(const Model& model, const std::string& name,
                                  const std::string& sceneText, const fs::path& directory) {
     fs::create_directories(directory);
     std::vector<fs::path> paths;
-    const auto write = [&](const std::string& file,
-                           const std::function<void(const fs::path&)>& writer) {
+    const auto place = [&](const std::string& file) {
         paths.push_back(directory / file);
-        replaceFile(paths.back(), writer);
+        return paths.back();
     };
     // Painting takes longest, and no two textures depend on one another.
     std::vector<std::future<void>> painters;
     for (const MaterialRecipe& material : model.materials) {
         if (material.texture.paint) {
-            paths.push_back(directory / textureName(name, material));
-            painters.push_back(std::async(std::launch::async, [&material, path = paths.back()] {
-                replaceFile(path, [&](const fs::path& partial) {
-                    writeTexture(material.texture, partial);
-                });
-            }));
+            painters.push_back(std::async(std::launch::async,
+                                          [&material, path = place(textureName(name, material))] {
+                                              writeTexture(material.texture, path);
+                                          }));
         }
     }
     for (auto& painter : painters) {
         painter.get();
     }
-    write(name + ".mtl", [&](const fs::path& path) { writeMtl(model, name, path); });
-    write(name + ".obj", [&](const fs::path& path) { writeObj(model, name, path); });
+    writeMtl(model, name, place(name + ".mtl"));
+    writeObj(model, name, place(name + ".obj"));
     // The scene comes last: once it is there, all that it names is there.
-    write(name + ".scene", [&](const fs::path& path) {
-        TextFile out(path);
-        out << sceneText;
-        out.close();
-    });
+    writeFile(place(name + ".scene").string(), sceneText);
     return paths;
 }
 

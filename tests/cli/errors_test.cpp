@@ -40,22 +40,34 @@ INSTANTIATE_TEST_SUITE_P(
     All, OptionOutOfRange,
     testing::Values(BadOption{"--size", "0x5"}, BadOption{"--size", "5"}, BadOption{"--size", "5x"},
                     BadOption{"--size", "-5x5"}, BadOption{"--size", "5x5x5"},
+                    BadOption{"--size", "5x0"}, BadOption{"--size", "0x0"},
+                    BadOption{"--size", "1000000x1"}, BadOption{"--size", "1000000x1000000"},
                     BadOption{"--size", "65537x1"}, BadOption{"--size", "99999999999x1"},
                     BadOption{"--tile", "0"}, BadOption{"--tile", "65"}, BadOption{"--tile", "-1"},
                     BadOption{"--tile", "2.5"}, BadOption{"--tile", "two"}, BadOption{"--tile", ""},
                     BadOption{"--tile", "8 "}, BadOption{"--bins", "0"}, BadOption{"--bins", "257"},
                     BadOption{"--view-size", "0"}, BadOption{"--view-size", "65537"},
-                    BadOption{"--max-mip", "-1"}, BadOption{"--max-mip", "14"},
-                    BadOption{"--traversal", "Linear"}, BadOption{"--view", "both"},
-                    BadOption{"--backend", "vulkan"}, BadOption{"--spp", "0"},
-                    BadOption{"--spp", "1e3"}, BadOption{"--spp", "18446744073709551617"},
-                    BadOption{"--bounces", "0"}, BadOption{"--bounces", "1025"},
-                    BadOption{"--seed", "-1"}, BadOption{"--seed", "4294967296"},
-                    BadOption{"--threads", "0"}, BadOption{"--precision", "double"},
-                    BadOption{"--eye", "1,2"}, BadOption{"--eye", "1,2,3,4"},
-                    BadOption{"--eye", "1,2,nan"}, BadOption{"--up", "0,inf,0"},
-                    BadOption{"--target", "1,,2"}, BadOption{"--fov", "0"},
-                    BadOption{"--fov", "180"}, BadOption{"--fov", "nan"}));
+                    BadOption{"--view-size", "1000000"}, BadOption{"--tile", "1000000"},
+                    BadOption{"--bins", "1000000"}, BadOption{"--max-mip", "-1"},
+                    BadOption{"--max-mip", "14"}, BadOption{"--traversal", "Linear"},
+                    BadOption{"--view", "both"}, BadOption{"--backend", "vulkan"},
+                    BadOption{"--spp", "0"}, BadOption{"--spp", "1e3"},
+                    BadOption{"--spp", "18446744073709551617"}, BadOption{"--bounces", "0"},
+                    BadOption{"--bounces", "1025"}, BadOption{"--seed", "-1"},
+                    BadOption{"--seed", "4294967296"}, BadOption{"--threads", "0"},
+                    BadOption{"--precision", "double"}, BadOption{"--eye", "1,2"},
+                    BadOption{"--eye", "1,2,3,4"}, BadOption{"--eye", "1,2,nan"},
+                    BadOption{"--up", "0,inf,0"}, BadOption{"--target", "1,,2"},
+                    BadOption{"--fov", "0"}, BadOption{"--fov", "180"}, BadOption{"--fov", "nan"}));
+
+/// What main() adds to what all other tests here call without starting a process.
+TEST(Errors, TheProcessEndsWithTheStatus) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("a.obj", kTriangleObj);
+    EXPECT_EQ(startDirt({"info", scene}).status, 0);
+    expectLine(startDirt({"info", folder / "none.obj"}), 2, {folder / "none.obj"});
+    expectLine(startDirt({"info", scene, "--backend", "gl"}), 3, {"--backend gl"});
+}
 
 TEST(Errors, UnknownCommandsAndOptionsAreNamed) {
     expectLine(dirt({"frobnicate"}), 2, {"'frobnicate'"});

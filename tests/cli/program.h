@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/program.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cstdio>
@@ -7,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,36 +21,111 @@ struct Outcome {
     std::string out, err;
 };
 
-/// Runs \p program with \p arguments, passed as they are.
-inline Outcome runProgram(const std::string& program, const std::vector<std::string>& arguments) {
-    const TemporaryFolder folder;
-    const std::string out = folder / "out", err = folder / "err";
-    const pid_t child = fork();
-    if (child == 0) {
+/// While it lives, what is written to one of the process's streams goes to memory instead.
+class CapturedStream {
+public:
+    explicit CapturedStream(std::FILE* stream)
+        : stream_(stream), memory_(memfd_create("captured", MFD_CLOEXEC)) {
+        std::fflush(stream_);
+        saved_ = fcntl(fileno(stream_), F_DUPFD_CLOEXEC, 3);
+        if (memory_ < 0 || saved_ < 0 || dup2(memory_, fileno(stream_)) < 0) std::abort();
+    }
+    ~CapturedStream() {
+        std::fflush(stream_);
+        dup2(saved_, fileno(stream_));
+        close(saved_);
+        close(memory_);
+    }
+    CapturedStream(const CapturedStream&) = delete;
+    CapturedStream& operator=(const CapturedStream&) = delete;
+
+    /// All that was written so far.
+    std::string text() {
+        std::fflush(stream_);
+        std::string bytes((size_t) lseek(memory_, 0, SEEK_END), '\0');
+        if (pread(memory_, bytes.data(), bytes.size(), 0) != (ssize_t) bytes.size()) std::abort();
+        return bytes;
+    }
+
+private:
+    std::FILE* stream_;
+    int memory_, saved_ = -1;
+};
+
+/// Runs `dirt` of this build inside this process.
+inline Outcome dirt(const std::vector<std::string>& arguments) {
+    std::vector<const char*> argv{"dirt"};
+    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+    CapturedStream out(stdout), err(stderr);
+    Outcome run;
+    run.status = runProgram((int) argv.size(), argv.data());
+    run.out = out.text();
+    run.err = err.text();
+    return run;
+}
+
+/// A run of the program in a process of its own.
+class Process {
+public:
+    /// Starts \p program with \p arguments, passed as they are. \p prepare is called in the new
+    /// process before the program takes its place; streams can be redirected there.
+    template <typename Prepare>
+    Process(const std::string& program, const std::vector<std::string>& arguments,
+            Prepare&& prepare) {
+        child_ = fork();
+        if (child_ < 0) std::abort();
+        if (child_ > 0) return;
         std::vector<char*> argv{const_cast<char*>(program.c_str())};
         for (const std::string& argument : arguments)
             argv.push_back(const_cast<char*>(argument.c_str()));
         argv.push_back(nullptr);
+        const std::string out = folder_ / "out", err = folder_ / "err";
         if (!std::freopen(out.c_str(), "w", stdout) || !std::freopen(err.c_str(), "w", stderr))
             _exit(126);
+        prepare();
         execv(program.c_str(), argv.data());
         _exit(127);
     }
-    int state = 0;
-    if (child < 0 || waitpid(child, &state, 0) != child) std::abort();
-    Outcome run;
-    run.status = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
-    run.out = readFile(out);
-    run.err = readFile(err);
-    return run;
+
+    pid_t id() const { return child_; }
+
+    /// Waits for the end.
+    Outcome wait() {
+        int state = 0;
+        if (waitpid(child_, &state, 0) != child_) std::abort();
+        Outcome run;
+        run.status = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+        run.out = readFile(folder_ / "out");
+        run.err = readFile(folder_ / "err");
+        return run;
+    }
+
+private:
+    TemporaryFolder folder_;
+    pid_t child_ = -1;
+};
+
+/// Starts `dirt` of this build as its users do, and waits.
+inline Outcome startDirt(const std::vector<std::string>& arguments) {
+    return Process(DIRT_PROGRAM, arguments, [] {}).wait();
 }
 
-/// Runs `dirt` of this build.
-inline Outcome dirt(const std::vector<std::string>& arguments) {
-    return runProgram(DIRT_PROGRAM, arguments);
+/// The same, with \p prepare called in the process beforehand.
+template <typename Prepare>
+Outcome startDirt(const std::vector<std::string>& arguments, Prepare&& prepare) {
+    return Process(DIRT_PROGRAM, arguments, prepare).wait();
 }
 
 /// A triangle before a camera at the origin that looks along -Z.
 inline constexpr const char* kTriangleObj = "v -1 -1 -2\nv 1 -1 -2\nv 0 1 -2\nf 1 2 3\n";
+
+/// A lit triangle before the camera.
+inline std::string litTriangle(const TemporaryFolder& folder) {
+    folder.write("a.obj", kTriangleObj);
+    return folder.write("a.scene", "<world background=\"0.25 0.5 1\"><object file=\"a.obj\"/>"
+                                   "<light type=\"spotlight\" position=\"0 0 0\" target=\"0 0 -1\" "
+                                   "flux=\"20\" aperture=\"120\" penumbra=\"100\"/>"
+                                   "<user position=\"0 0 0\" lookat=\"0 0 -1\"/></world>");
+}
 
 } // namespace dirt::test

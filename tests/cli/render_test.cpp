@@ -1,11 +1,7 @@
-// `dirt render`: the files it writes, what it reports, and Ctrl-C.
+// `dirt render`: the files it writes, and what it reports.
 
 #include "core/io/image.h"
 #include "tests/cli/program.h"
-
-#include <chrono>
-#include <csignal>
-#include <thread>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -14,15 +10,6 @@ namespace dirt::test {
 namespace {
 
 using nlohmann::json;
-
-/// A lit triangle before the camera.
-std::string litTriangle(const TemporaryFolder& folder) {
-    folder.write("a.obj", kTriangleObj);
-    return folder.write("a.scene", "<world background=\"0.25 0.5 1\"><object file=\"a.obj\"/>"
-                                   "<light type=\"spotlight\" position=\"0 0 0\" target=\"0 0 -1\" "
-                                   "flux=\"20\" aperture=\"120\" penumbra=\"100\"/>"
-                                   "<user position=\"0 0 0\" lookat=\"0 0 -1\"/></world>");
-}
 
 /// `dirt render` of a small picture of litTriangle, with \p more arguments.
 Outcome render(const TemporaryFolder& folder, const std::vector<std::string>& more) {
@@ -81,57 +68,6 @@ TEST(Render, StatsHaveTheirKeys) {
     EXPECT_GT(stats["memory"]["total"], stats["memory"]["shading buffer G[k+1]"]);
     for (const json& pass : stats["passes"])
         EXPECT_TRUE(pass.contains("name") && pass.contains("ms") && pass.contains("event"));
-}
-
-TEST(Render, BadOutputEndsBeforeTheRender) {
-    const TemporaryFolder folder;
-    for (const std::string& output : {folder / "missing/a.png", folder / "a.jpg"}) {
-        // A render of this size would take minutes.
-        const Outcome run = render(folder, {"--spp", "1000000", "-o", output});
-        EXPECT_EQ(run.status, 2);
-        EXPECT_NE(run.err.find(output), std::string::npos) << run.err;
-        EXPECT_FALSE(std::filesystem::exists(output));
-    }
-    EXPECT_EQ(render(folder, {"-o", folder / "a.png", "--stats", "/dev/null"}).status, 2);
-    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
-}
-
-/// Starts an endless render, presses Ctrl-C after \p delay, and waits.
-Outcome interruptedRender(const TemporaryFolder& folder, std::chrono::seconds delay) {
-    const std::string scene = litTriangle(folder), output = folder / "a.exr";
-    const std::string err = folder / "err";
-    const pid_t child = fork();
-    if (child == 0) {
-        if (!std::freopen(err.c_str(), "w", stderr)) _exit(126);
-        execl(DIRT_PROGRAM, "dirt", "render", scene.c_str(), "--size", "64x32", "--spp", "1000000",
-              "-o", output.c_str(), (char*) nullptr);
-        _exit(127);
-    }
-    std::this_thread::sleep_for(delay);
-    kill(child, SIGINT);
-    int state = 0;
-    waitpid(child, &state, 0);
-    Outcome run;
-    run.status = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
-    run.err = readFile(err);
-    return run;
-}
-
-TEST(Render, CtrlCWritesWhatThereIs) {
-    const TemporaryFolder folder;
-    // A busy machine may not have got to the first sample yet.
-    Outcome run;
-    for (int seconds = 1; seconds <= 16 && !std::filesystem::exists(folder / "a.exr"); seconds *= 2)
-        run = interruptedRender(folder, std::chrono::seconds(seconds));
-    EXPECT_EQ(run.status, 130);
-    int samples = 0;
-    ASSERT_EQ(std::sscanf(run.err.c_str(), "dirt: stopped after %d of 1000000 samples", &samples),
-              1)
-        << run.err;
-    ASSERT_GT(samples, 0);
-    // The mean of equal values, whatever their number: each addition rounds once.
-    const Image image = readImage(folder / "a.exr");
-    EXPECT_NEAR(image.pixels[0].x, 0.25f, 0.25f * (float) (samples + 1) * 0x1p-24f);
 }
 
 } // namespace

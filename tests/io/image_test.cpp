@@ -1,46 +1,26 @@
 #include "core/io/error.h"
 #include "core/io/image.h"
 #include "core/io/output_file.h"
+#include "tests/support/temporary_folder.h"
 
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 namespace dirt {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A folder of its own for every test, removed afterwards.
 class ImageFile : public testing::Test {
 protected:
-    ImageFile() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() /
-                  ("dirt-" + std::string(test->name()) + "-" + std::to_string(getpid()));
-        fs::create_directories(folder_);
-    }
-    ~ImageFile() override { fs::remove_all(folder_); }
+    std::string path(const char* name) const { return folder_ / name; }
+    size_t filesInFolder() const { return folder_.names().size(); }
 
-    std::string path(const char* name) const { return (folder_ / name).string(); }
-    size_t filesInFolder() const {
-        return (size_t) std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
-    }
-
-    fs::path folder_;
+    test::TemporaryFolder folder_;
 };
-
-std::string contents(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 Image gradient(int width, int height) {
     Image image{width, height, {}};
@@ -97,8 +77,8 @@ TEST_F(ImageFile, EqualImagesAreEqualFiles) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // time stamps count seconds
     writeExr(path("b.exr"), image, kMetadata);
     writePng(path("b.png"), 64, 64, bytes, kMetadata);
-    EXPECT_EQ(contents(path("a.exr")), contents(path("b.exr")));
-    EXPECT_EQ(contents(path("a.png")), contents(path("b.png")));
+    EXPECT_EQ(test::readFile(path("a.exr")), test::readFile(path("b.exr")));
+    EXPECT_EQ(test::readFile(path("a.png")), test::readFile(path("b.png")));
 }
 
 TEST_F(ImageFile, FormatGoesByTheExtension) {
@@ -112,10 +92,10 @@ TEST_F(ImageFile, BadTargetsAreRefused) {
     const Image image = gradient(4, 4);
     EXPECT_THROW(writeExr(path("missing/a.exr"), image, {}), InputError);
     EXPECT_THROW(checkWritable(path("missing/a.exr")), InputError);
-    fs::create_directory(folder_ / "folder.exr");
+    std::filesystem::create_directory(path("folder.exr"));
     EXPECT_THROW(writeExr(path("folder.exr"), image, {}), InputError);
     EXPECT_THROW(writeExr("/dev/null", image, {}), InputError);
-    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
     EXPECT_NO_THROW(checkWritable(path("fine.exr")));
     EXPECT_EQ(filesInFolder(), 1u) << "only folder.exr";
 }
@@ -152,7 +132,7 @@ TEST_F(ImageFile, FullDiskLeavesWhatWasThere) {
         const FullDisk disk(100);
         EXPECT_THROW(writePng(path("a.png"), 16, 16, std::span(bytes).first(768), {}), InputError);
     }
-    EXPECT_EQ(contents(path("a.png")), "old");
+    EXPECT_EQ(test::readFile(path("a.png")), "old");
     EXPECT_EQ(filesInFolder(), 1u);
 }
 
