@@ -11,8 +11,6 @@
 
 namespace dirt {
 
-namespace {
-
 std::string readBytes(const std::filesystem::path& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
@@ -33,8 +31,6 @@ std::string readBytes(const std::filesystem::path& file) {
         failAt(file, 0, std::string("cannot be read: ") + std::strerror(errno));
     return bytes;
 }
-
-} // namespace
 
 std::string readTextFile(const std::filesystem::path& file) {
     std::string text = readBytes(file);

@@ -7,6 +7,9 @@
 
 namespace dirt {
 
+/// The bytes of a file. Throws InputError where it cannot be read.
+std::string readBytes(const std::filesystem::path& file);
+
 /// The bytes of a text file, without a UTF-8 byte order mark. Throws InputError where the file
 /// cannot be read, is UTF-16 or holds NUL bytes.
 std::string readTextFile(const std::filesystem::path& file);

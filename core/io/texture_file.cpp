@@ -1,11 +1,17 @@
 #include "core/io/texture_file.h"
 
 #include "core/io/load_report.h"
+#include "core/io/png_file.h"
+#include "core/io/text_file.h"
 
 #include <cfloat>
+#include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 namespace dirt {
@@ -36,13 +42,35 @@ bool isFloat(OIIO::TypeDesc type) {
            type == OIIO::TypeDesc::DOUBLE;
 }
 
+/// A file opened as an image; no input where it is none.
+struct OpenImage {
+    explicit OpenImage(const std::filesystem::path& file) {
+        // Without this, colours come back multiplied by alpha.
+        OIIO::ImageSpec config;
+        config.attribute("oiio:UnassociatedAlpha", 1);
+        const std::string all = readBytes(file);
+        if (!isPng(all)) {
+            input = OIIO::ImageInput::open(file.string(), &config);
+            return;
+        }
+        bytes = essentialPng(all, file);
+        memory.emplace(bytes.data(), bytes.size());
+        input = OIIO::ImageInput::create("png");
+        OIIO::ImageSpec spec;
+        if (input && !(input->set_ioproxy(&*memory) && input->open(file.string(), spec, config)))
+            failAt(file, 0, "no readable image: " + printable(input->geterror()));
+    }
+
+    std::string bytes;
+    std::optional<OIIO::Filesystem::IOMemReader> memory; ///< of bytes
+    std::unique_ptr<OIIO::ImageInput> input;             ///< reads from memory, or the file
+};
+
 } // namespace
 
 Texture readTexture(const std::filesystem::path& file) {
-    // Without this, colours come back multiplied by alpha.
-    OIIO::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(file.string(), &config);
+    const OpenImage image(file);
+    const auto& input = image.input;
     if (!input) failAt(file, 0, "no readable image: " + printable(OIIO::geterror()));
 
     const OIIO::ImageSpec spec = input->spec();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/program.h"
+#include "tests/support/captured_stream.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cstdio>
@@ -8,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,37 +18,6 @@ namespace dirt::test {
 struct Outcome {
     int status = -1; ///< exit status; 128 + signal where a signal ended it
     std::string out, err;
-};
-
-/// While it lives, what is written to one of the process's streams goes to memory instead.
-class CapturedStream {
-public:
-    explicit CapturedStream(std::FILE* stream)
-        : stream_(stream), memory_(memfd_create("captured", MFD_CLOEXEC)) {
-        std::fflush(stream_);
-        saved_ = fcntl(fileno(stream_), F_DUPFD_CLOEXEC, 3);
-        if (memory_ < 0 || saved_ < 0 || dup2(memory_, fileno(stream_)) < 0) std::abort();
-    }
-    ~CapturedStream() {
-        std::fflush(stream_);
-        dup2(saved_, fileno(stream_));
-        close(saved_);
-        close(memory_);
-    }
-    CapturedStream(const CapturedStream&) = delete;
-    CapturedStream& operator=(const CapturedStream&) = delete;
-
-    /// All that was written so far.
-    std::string text() {
-        std::fflush(stream_);
-        std::string bytes((size_t) lseek(memory_, 0, SEEK_END), '\0');
-        if (pread(memory_, bytes.data(), bytes.size(), 0) != (ssize_t) bytes.size()) std::abort();
-        return bytes;
-    }
-
-private:
-    std::FILE* stream_;
-    int memory_, saved_ = -1;
 };
 
 /// Runs `dirt` of this build inside this process.
