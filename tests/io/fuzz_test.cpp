@@ -72,5 +72,27 @@ TEST(Fuzz, DamagedFilesLoadOrEndInOneLine) {
     EXPECT_GT(errors, rounds / 10);
 }
 
+TEST(Fuzz, RandomBytesEndInOneLine) {
+    const test::TemporaryFolder folder;
+    std::mt19937 random(2);
+    const int rounds = std::getenv("DIRT_TEST_FULL") ? 20000 : 1000;
+    for (int round = 0; round < rounds; ++round) {
+        std::string bytes(random() % 2000, '\0');
+        // Without NUL bytes, which are refused at once, in every second round.
+        for (char& byte : bytes) byte = (char) (round % 2 ? 1 + random() % 255 : random() % 256);
+        for (const char* name : {"a.obj", "a.scene"}) {
+            const std::string file = folder.write(name, bytes);
+            const std::string what = inputError([&] { loadScene(file); });
+            ASSERT_EQ(what.rfind(file + ":", 0), 0u) << "round " << round << ' ' << what;
+            ASSERT_EQ(what.find_first_of("\r\n"), std::string::npos) << "round " << round;
+        }
+        // As a material library: read over, or refused.
+        folder.write("a.mtl", bytes);
+        const std::string obj = folder.write("b.obj", kObj);
+        const std::string what = inputError([&] { loadScene(obj); });
+        ASSERT_TRUE(what.empty() || what.rfind(folder / "a.mtl:", 0) == 0) << what;
+    }
+}
+
 } // namespace
 } // namespace dirt
