@@ -73,9 +73,14 @@ private:
     pid_t child_ = -1;
 };
 
+/// Starts \p program and waits.
+inline Outcome start(const std::string& program, const std::vector<std::string>& arguments) {
+    return Process(program, arguments, [] {}).wait();
+}
+
 /// Starts `dirt` of this build as its users do, and waits.
 inline Outcome startDirt(const std::vector<std::string>& arguments) {
-    return Process(DIRT_PROGRAM, arguments, [] {}).wait();
+    return start(DIRT_PROGRAM, arguments);
 }
 
 /// The same, with \p prepare called in the process beforehand.

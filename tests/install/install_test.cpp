@@ -9,7 +9,7 @@ namespace dirt::test {
 namespace {
 
 void run(const std::vector<std::string>& arguments) {
-    const Outcome outcome = runProgram(DIRT_CMAKE, arguments);
+    const Outcome outcome = start(DIRT_CMAKE, arguments);
     ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
@@ -26,7 +26,7 @@ TEST(Install, TheExampleBuildsAgainstIt) {
              "-DCMAKE_PREFIX_PATH=" + prefix, "-DCMAKE_CXX_COMPILER=" DIRT_CXX_COMPILER,
              "-DCMAKE_CXX_FLAGS=" DIRT_CXX_FLAGS}));
     ASSERT_NO_FATAL_FAILURE(run({"--build", build}));
-    const Outcome tests = runProgram(build + "/grid_test", {});
+    const Outcome tests = start(build + "/grid_test", {});
     EXPECT_EQ(tests.status, 0) << tests.out << tests.err;
     EXPECT_NE(tests.out.find("[  PASSED  ]"), std::string::npos) << tests.out;
 }
