@@ -17,6 +17,9 @@ void addVerify(CLI::App& program, int& status);
 /// `dirt compare A B`: figures of how much two images differ.
 void addCompare(CLI::App& program, int& status);
 
+/// `dirt bench frame SCENE…`: times beside Embree's.
+void addBench(CLI::App& program, int& status);
+
 /// `dirt info SCENE`: what a scene holds and what its structure costs.
 void addInfo(CLI::App& program, int& status);
 

@@ -72,6 +72,10 @@ void addImageOptions(CLI::App& command, CommonOptions& o) {
 
 void addCommonOptions(CLI::App& command, CommonOptions& o) {
     command.add_option("SCENE", o.scene, "a .scene or .obj file")->required();
+    addSettingsOptions(command, o);
+}
+
+void addSettingsOptions(CLI::App& command, CommonOptions& o) {
     addImageOptions(command, o);
     addStructureOptions(command, o);
     addInteger(command, "--threads", 1, 1024, "worker threads (default: all cores)",

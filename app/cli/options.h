@@ -51,6 +51,9 @@ struct CommonOptions {
 /// CLI::ValidationError. \p options must outlive the parsing.
 void addCommonOptions(CLI::App& command, CommonOptions& options);
 
+/// The same without SCENE, for commands that take several.
+void addSettingsOptions(CLI::App& command, CommonOptions& options);
+
 /// \p settings (the scene file's over the defaults) with the options that were given on top.
 /// Throws InputError where the result would need more memory than the machine has.
 RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& options);

@@ -51,6 +51,7 @@ int run(int argc, const char* const* argv) {
     addRender(program, status);
     addVerify(program, status);
     addCompare(program, status);
+    addBench(program, status);
     addInfo(program, status);
     addDump(program, status);
     addGenerate(program, status);

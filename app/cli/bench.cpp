@@ -1,0 +1,144 @@
+#include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "app/cli/json_report.h"
+#include "app/cli/option_values.h"
+#include "core/io/error.h"
+
+#ifdef DIRT_HAVE_EMBREE
+#include "backend_embree/embree_backend.h"
+#include "bench/frame_bench.h"
+#endif
+
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+namespace dirt {
+
+namespace {
+
+struct BenchOptions {
+    CommonOptions common;
+    std::vector<std::string> scenes;
+    int rounds = 9;
+    bool json = false;
+};
+
+#ifdef DIRT_HAVE_EMBREE
+
+void printFrame(std::FILE* file, const Input& input, const FrameReport& report) {
+    std::fprintf(file, "%s, %zu triangles, %llu list entries\n", input.scene.name.c_str(),
+                 input.scene.mesh.triangles.size(), (unsigned long long) report.listEntries);
+    std::fprintf(file, "  %-8s %26s %26s %7s %10s\n", "", "dirt ms", "embree ms", "ratio",
+                 "Mrays/s");
+    for (const FramePart part : kFrameParts) {
+        const Timing& dirt = report.dirt.parts[(size_t) part];
+        const Timing& embree = report.embree.parts[(size_t) part];
+        const WorkReport& work = report.work[(size_t) part];
+        std::fprintf(file, "  %-8s %9.1f (%6.1f-%6.1f) %9.1f (%6.1f-%6.1f) %7.2f",
+                     framePartName(part), dirt.median(), dirt.least(), dirt.most(), embree.median(),
+                     embree.least(), embree.most(), dirt.median() / embree.median());
+        if (work.rays > 0) std::fprintf(file, " %10.2f", (double) work.rays / dirt.median() * 1e-3);
+        std::fprintf(file, "\n");
+    }
+    for (const FramePart part : kFrameParts) {
+        const WorkReport& work = report.work[(size_t) part];
+        if (work.rays == 0) continue;
+        const double rays = (double) work.rays;
+        std::fprintf(file,
+                     "  %-8s %9llu rays, each: %6.1f steps %6.1f tiles %6.1f bins %7.1f tests\n",
+                     framePartName(part), (unsigned long long) work.rays,
+                     (double) work.counts.steps / rays, (double) work.counts.tiles / rays,
+                     (double) work.counts.bins / rays, (double) work.counts.tests / rays);
+    }
+    std::fprintf(file, "  memory   %9.1f MB %23.1f MB\n", (double) report.dirt.bytes * 1e-6,
+                 (double) report.embree.bytes * 1e-6);
+    std::fflush(file);
+}
+
+Json timesJson(const SideReport& side, double (Timing::*value)() const) {
+    Json json = Json::object();
+    for (const FramePart part : kFrameParts)
+        json[framePartName(part)] = (side.parts[(size_t) part].*value)();
+    return json;
+}
+
+Json frameJson(const Input& input, const FrameReport& report) {
+    Json json;
+    json["scene"] = input.scene.name;
+    json["triangles"] = input.scene.mesh.triangles.size();
+    json["dirt_ms"] = timesJson(report.dirt, &Timing::median);
+    json["embree_ms"] = timesJson(report.embree, &Timing::median);
+    json["ratio"] = Json::object();
+    json["spread"] = {{"dirt_least_ms", timesJson(report.dirt, &Timing::least)},
+                      {"dirt_most_ms", timesJson(report.dirt, &Timing::most)},
+                      {"embree_least_ms", timesJson(report.embree, &Timing::least)},
+                      {"embree_most_ms", timesJson(report.embree, &Timing::most)}};
+    json["memory"] = {{"dirt_ads", report.dirt.bytes}, {"embree_bvh", report.embree.bytes}};
+    json["list_entries"] = report.listEntries;
+    for (const FramePart part : kFrameParts) {
+        const size_t p = (size_t) part;
+        json["ratio"][framePartName(part)] =
+            report.dirt.parts[p].median() / report.embree.parts[p].median();
+        const WorkReport& work = report.work[p];
+        if (work.rays == 0) continue;
+        json["work"][framePartName(part)] = {{"rays", work.rays},
+                                             {"steps", work.counts.steps},
+                                             {"tiles", work.counts.tiles},
+                                             {"bins", work.counts.bins},
+                                             {"tests", work.counts.tests}};
+    }
+    return json;
+}
+
+/// The peer is Embree alone, without core's exact test in its filter: what its users get.
+void runFrame(const BenchOptions& options) {
+    const auto executor = makeExecutor(options.common);
+    std::FILE* const table = options.json ? stderr : stdout;
+    Json scenes = Json::array();
+    for (const std::string& scene : options.scenes) {
+        CommonOptions common = options.common;
+        common.scene = scene;
+        const Input input = openInput(common, *executor);
+        const auto dirt = makeBackend(common, *executor);
+        EmbreeBackend embree(*executor, false, EmbreeDecision::plain);
+        const FrameReport report =
+            benchFrame(input.scene, input.settings, *dirt, embree, *executor, options.rounds);
+        if (!options.json || !common.quiet) printFrame(table, input, report);
+        scenes.push_back(frameJson(input, report));
+    }
+    if (!options.json) return;
+    Json report;
+    report["threads"] = executor->threads();
+    report["rounds"] = options.rounds;
+    report["scenes"] = std::move(scenes);
+    std::printf("%s\n", report.dump(2).c_str());
+}
+
+#else
+
+void runFrame(const BenchOptions&) {
+    throw CapabilityError("bench compares with Embree, and this build is without it");
+}
+
+#endif
+
+} // namespace
+
+void addBench(CLI::App& program, int& status) {
+    CLI::App* command = program.add_subcommand("bench", "measures speed and memory");
+    command->require_subcommand(1);
+    CLI::App* frame = command->add_subcommand("frame", "each part of a frame beside Embree's time");
+    const auto options = std::make_shared<BenchOptions>();
+    frame->add_option("SCENE", options->scenes, ".scene or .obj files")->required();
+    addSettingsOptions(*frame, options->common);
+    addInteger(*frame, "--rounds", 1, 1000, "measured, after one that is not (default: 9)",
+               [options](int64_t n) { options->rounds = (int) n; });
+    frame->add_flag("--json", options->json, "print one JSON object on standard output");
+    frame->callback([options, &status] {
+        runFrame(*options);
+        status = 0;
+    });
+}
+
+} // namespace dirt

@@ -1,0 +1,137 @@
+#include "bench/frame_bench.h"
+
+#include "backend_cpu/cpu_backend.h"
+#include "bench/ray_sets.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace dirt {
+
+namespace {
+
+/// One backend on one frame's geometry and rays.
+class Side {
+public:
+    Side(Backend& backend, const FrameGeometry& geometry, const Camera& camera,
+         const GridSettings& settings, const RaySets& rays)
+        : backend_(backend), geometry_(geometry), camera_(camera), settings_(settings), rays_(rays),
+          hits_(std::max(rays.primary.size(), rays.diffuse.size())), occluded_(rays.shadow.size()) {
+    }
+
+    double milliseconds(FramePart part) {
+        const auto start = std::chrono::steady_clock::now();
+        run(part);
+        const std::chrono::duration<double, std::milli> passed =
+            std::chrono::steady_clock::now() - start;
+        return passed.count();
+    }
+
+private:
+    void run(FramePart part) {
+        switch (part) {
+        case FramePart::build:
+            backend_.build(geometry_, camera_, settings_);
+            return;
+        case FramePart::primary:
+            return backend_.intersect(rays_.primary, {hits_.data(), rays_.primary.size()});
+        case FramePart::trace:
+            return backend_.intersect(rays_.diffuse, {hits_.data(), rays_.diffuse.size()});
+        case FramePart::shadow:
+            return backend_.occluded(rays_.shadow, rays_.shadowMaxT, occluded_);
+        }
+    }
+
+    Backend& backend_;
+    const FrameGeometry& geometry_;
+    const Camera& camera_;
+    const GridSettings& settings_;
+    const RaySets& rays_;
+    std::vector<Hit> hits_;
+    std::vector<uint8_t> occluded_;
+};
+
+uint64_t totalBytes(const Backend& backend) {
+    uint64_t total = 0;
+    for (const BufferSize& buffer : backend.memory()) total += buffer.second;
+    return total;
+}
+
+void add(TraversalCounts& sum, const TraversalCounts& counts) {
+    sum.steps += counts.steps;
+    sum.tiles += counts.tiles;
+    sum.bins += counts.bins;
+    sum.tests += counts.tests;
+}
+
+/// What the definition's traversal does for these rays.
+std::array<WorkReport, kFrameParts.size()>
+countWork(const CpuBackend& backend, const FrameGeometry& geometry, const RaySets& sets) {
+    std::array<WorkReport, kFrameParts.size()> work;
+    const auto closest = [&](FramePart part, const std::vector<Ray>& rays) {
+        work[(size_t) part].rays = rays.size();
+        for (const Ray& ray : rays) {
+            TraversalCounts counts;
+            closestHit(backend.grid(), geometry, ray, &counts);
+            add(work[(size_t) part].counts, counts);
+        }
+    };
+    closest(FramePart::primary, sets.primary);
+    closest(FramePart::trace, sets.diffuse);
+    WorkReport& shadow = work[(size_t) FramePart::shadow];
+    shadow.rays = sets.shadow.size();
+    for (size_t i = 0; i < sets.shadow.size(); ++i) {
+        TraversalCounts counts;
+        anyHit(backend.grid(), geometry, sets.shadow[i], sets.shadowMaxT[i], &counts);
+        add(shadow.counts, counts);
+    }
+    return work;
+}
+
+} // namespace
+
+const char* framePartName(FramePart part) {
+    static constexpr const char* kNames[] = {"build", "primary", "trace", "shadow"};
+    return kNames[(size_t) part];
+}
+
+double Timing::median() const {
+    std::vector<double> sorted = ms;
+    std::sort(sorted.begin(), sorted.end());
+    const size_t half = sorted.size() / 2;
+    return sorted.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
+}
+
+double Timing::least() const {
+    return *std::min_element(ms.begin(), ms.end());
+}
+
+double Timing::most() const {
+    return *std::max_element(ms.begin(), ms.end());
+}
+
+FrameReport benchFrame(const Scene& scene, const RenderSettings& settings, Backend& dirt,
+                       Backend& embree, Executor& executor, int rounds) {
+    const GridSettings& grid = settings.grid;
+    const RaySets rays = makeRaySets(scene, settings, dirt, executor);
+    const FrameGeometry geometry = makeFrameGeometry(scene.mesh, scene.camera, grid.mode);
+    Side sides[2] = {{dirt, geometry, scene.camera, grid, rays},
+                     {embree, geometry, scene.camera, grid, rays}};
+    FrameReport report;
+    SideReport* const reports[2] = {&report.dirt, &report.embree};
+    for (int round = -1; round < rounds; ++round)
+        for (const FramePart part : kFrameParts)
+            for (int i = 0; i < 2; ++i) {
+                const int s = (i + round) & 1; // who comes first changes from round to round
+                const double ms = sides[s].milliseconds(part);
+                if (round >= 0) reports[s]->parts[(size_t) part].ms.push_back(ms);
+            }
+    report.dirt.bytes = totalBytes(dirt);
+    report.embree.bytes = totalBytes(embree);
+    report.listEntries = dirt.listEntries();
+    if (const auto* cpu = dynamic_cast<const CpuBackend*>(&dirt))
+        report.work = countWork(*cpu, geometry, rays);
+    return report;
+}
+
+} // namespace dirt
