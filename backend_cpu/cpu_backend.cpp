@@ -2,7 +2,6 @@
 
 #include "backend_cpu/direct_visibility.h"
 #include "backend_cpu/raster_fetch.h"
-#include "core/trace/traverse.h"
 
 namespace dirt {
 namespace {
@@ -33,19 +32,31 @@ void CpuBackend::fillDepthMipmap() {
 
 void CpuBackend::fillPrimitives() {
     builder_.fillPrimitives(*geometry_, grid_);
+    makeLeaves();
+}
+
+void CpuBackend::makeLeaves() {
+    fillLeaves(*geometry_, grid_, executor_, leaves_);
+    tracer_.emplace(*geometry_, grid_, leaves_);
+}
+
+void CpuBackend::writeGrid(const Grid& grid) {
+    grid_ = grid;
+    makeLeaves();
 }
 
 void CpuBackend::intersect(std::span<const Ray> rays, std::span<Hit> hits) {
     executor_.forRange(rays.size(), kRaysPerPiece, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) hits[i] = closestHit(grid_, *geometry_, rays[i]);
+        tracer_->closest(rays.subspan(begin, end - begin), hits.subspan(begin, end - begin));
     });
 }
 
 void CpuBackend::occluded(std::span<const Ray> rays, std::span<const float> maxT,
                           std::span<uint8_t> result) {
     executor_.forRange(rays.size(), kRaysPerPiece, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i)
-            result[i] = anyHit(grid_, *geometry_, rays[i], maxT[i]);
+        const size_t count = end - begin;
+        tracer_->occluded(rays.subspan(begin, count), maxT.subspan(begin, count),
+                          result.subspan(begin, count));
     });
 }
 
@@ -72,7 +83,8 @@ std::vector<BufferSize> CpuBackend::memory() const {
     sizes.insert(sizes.begin() + 1, {{"depth bounds", bounds},
                                      {"depth pyramid", pyramid},
                                      {"id buffer heads", grid_.heads.size() * sizeof(uint32_t)},
-                                     {"id buffer", grid_.ids.size() * sizeof(uint32_t)}});
+                                     {"id buffer", grid_.ids.size() * sizeof(uint32_t)},
+                                     {"leaf blocks", leaves_.bytes()}});
     return sizes;
 }
 

@@ -1,7 +1,11 @@
 #pragma once
 
 #include "backend_cpu/builder.h"
+#include "backend_cpu/leaves.h"
+#include "backend_cpu/tracer.h"
 #include "core/frame/host_backend.h"
+
+#include <optional>
 
 namespace dirt {
 
@@ -28,16 +32,22 @@ public:
 
     bool hasGrid() const override { return true; }
     Grid readGrid() const override { return grid_; }
-    void writeGrid(const Grid& grid) override { grid_ = grid; }
+    void writeGrid(const Grid& grid) override;
     std::vector<BufferSize> memory() const override;
     uint64_t listEntries() const override { return grid_.ids.size(); }
 
     /// The structure of the last build.
     const Grid& grid() const { return grid_; }
+    const LeafTracer& tracer() const { return *tracer_; }
 
 private:
+    /// The traced form of the lists.
+    void makeLeaves();
+
     GridBuilder builder_;
     Grid grid_;
+    Leaves leaves_;
+    std::optional<LeafTracer> tracer_;
 };
 
 } // namespace dirt

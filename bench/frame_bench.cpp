@@ -57,34 +57,21 @@ uint64_t totalBytes(const Backend& backend) {
     return total;
 }
 
-void add(TraversalCounts& sum, const TraversalCounts& counts) {
-    sum.steps += counts.steps;
-    sum.tiles += counts.tiles;
-    sum.bins += counts.bins;
-    sum.tests += counts.tests;
-}
-
-/// What the definition's traversal does for these rays.
-std::array<WorkReport, kFrameParts.size()>
-countWork(const CpuBackend& backend, const FrameGeometry& geometry, const RaySets& sets) {
+/// What the traversal does for these rays.
+std::array<WorkReport, kFrameParts.size()> countWork(const LeafTracer& tracer, const RaySets& sets) {
     std::array<WorkReport, kFrameParts.size()> work;
+    std::vector<Hit> hits(std::max(sets.primary.size(), sets.diffuse.size()));
     const auto closest = [&](FramePart part, const std::vector<Ray>& rays) {
-        work[(size_t) part].rays = rays.size();
-        for (const Ray& ray : rays) {
-            TraversalCounts counts;
-            closestHit(backend.grid(), geometry, ray, &counts);
-            add(work[(size_t) part].counts, counts);
-        }
+        WorkReport& report = work[(size_t) part];
+        report.rays = rays.size();
+        tracer.closest(rays, {hits.data(), rays.size()}, &report.counts);
     };
     closest(FramePart::primary, sets.primary);
     closest(FramePart::trace, sets.diffuse);
     WorkReport& shadow = work[(size_t) FramePart::shadow];
     shadow.rays = sets.shadow.size();
-    for (size_t i = 0; i < sets.shadow.size(); ++i) {
-        TraversalCounts counts;
-        anyHit(backend.grid(), geometry, sets.shadow[i], sets.shadowMaxT[i], &counts);
-        add(shadow.counts, counts);
-    }
+    std::vector<uint8_t> result(sets.shadow.size());
+    tracer.occluded(sets.shadow, sets.shadowMaxT, result, &shadow.counts);
     return work;
 }
 
@@ -130,7 +117,7 @@ FrameReport benchFrame(const Scene& scene, const RenderSettings& settings, Backe
     report.embree.bytes = totalBytes(embree);
     report.listEntries = dirt.listEntries();
     if (const auto* cpu = dynamic_cast<const CpuBackend*>(&dirt))
-        report.work = countWork(*cpu, geometry, rays);
+        report.work = countWork(cpu->tracer(), rays);
     return report;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "backend_cpu/tracer.h"
 #include "core/frame/renderer.h"
-#include "core/trace/traverse.h"
 
 #include <array>
 #include <string>
@@ -32,7 +32,7 @@ struct SideReport {
 /// What the traversal did for one set of rays, summed.
 struct WorkReport {
     uint64_t rays = 0;
-    TraversalCounts counts;
+    LeafCounts counts;
 };
 
 struct FrameReport {

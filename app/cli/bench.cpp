@@ -26,6 +26,16 @@ struct BenchOptions {
 
 #ifdef DIRT_HAVE_EMBREE
 
+std::array<std::pair<const char*, uint64_t>, 7> namedCounts(const LeafCounts& c) {
+    return {{{"steps", c.steps},
+             {"tiles", c.tiles},
+             {"bins", c.bins},
+             {"nodes", c.nodes},
+             {"blocks", c.blocks},
+             {"exact", c.exact},
+             {"scalar", c.scalar}}};
+}
+
 void printFrame(std::FILE* file, const Input& input, const FrameReport& report) {
     std::fprintf(file, "%s, %zu triangles, %llu list entries\n", input.scene.name.c_str(),
                  input.scene.mesh.triangles.size(), (unsigned long long) report.listEntries);
@@ -45,11 +55,11 @@ void printFrame(std::FILE* file, const Input& input, const FrameReport& report) 
         const WorkReport& work = report.work[(size_t) part];
         if (work.rays == 0) continue;
         const double rays = (double) work.rays;
-        std::fprintf(file,
-                     "  %-8s %9llu rays, each: %6.1f steps %6.1f tiles %6.1f bins %7.1f tests\n",
-                     framePartName(part), (unsigned long long) work.rays,
-                     (double) work.counts.steps / rays, (double) work.counts.tiles / rays,
-                     (double) work.counts.bins / rays, (double) work.counts.tests / rays);
+        std::fprintf(file, "  %-8s %9llu rays, each:", framePartName(part),
+                     (unsigned long long) work.rays);
+        for (const auto& [name, count] : namedCounts(work.counts))
+            std::fprintf(file, " %.2f %s", (double) count / rays, name);
+        std::fprintf(file, "\n");
     }
     std::fprintf(file, "  memory   %9.1f MB %23.1f MB\n", (double) report.dirt.bytes * 1e-6,
                  (double) report.embree.bytes * 1e-6);
@@ -82,11 +92,9 @@ Json frameJson(const Input& input, const FrameReport& report) {
             report.dirt.parts[p].median() / report.embree.parts[p].median();
         const WorkReport& work = report.work[p];
         if (work.rays == 0) continue;
-        json["work"][framePartName(part)] = {{"rays", work.rays},
-                                             {"steps", work.counts.steps},
-                                             {"tiles", work.counts.tiles},
-                                             {"bins", work.counts.bins},
-                                             {"tests", work.counts.tests}};
+        Json& counts = json["work"][framePartName(part)];
+        counts["rays"] = work.rays;
+        for (const auto& [name, count] : namedCounts(work.counts)) counts[name] = count;
     }
     return json;
 }

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/frame/executor.h"
+#include "core/grid/grid.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dirt {
+
+/// Eight triangles, coordinate by coordinate, for one SIMD test. A list that does not fill its
+/// last block repeats a triangle there, under the id kNoPrimitive.
+struct alignas(64) LeafBlock {
+    static constexpr int kTriangles = 8;
+    float vertex[3][3][kTriangles]; ///< vertex, axis of the grid frame, triangle
+    uint32_t id[kTriangles];
+};
+
+/// Boxes of up to 16 parts of one cell's list, in steps of a 255th of the whole, rounded outwards.
+/// A part is a further node or a block; the nodes come first.
+struct alignas(64) LeafNode {
+    static constexpr int kChildren = 16;
+    uint8_t bound[2][3][kChildren]; ///< low and high; axis; child
+    float origin[3];
+    uint8_t exponent[3]; ///< of the step, a power of two, as in the float's bits
+    uint8_t children;
+    uint32_t firstNode, firstBlock;
+    uint8_t nodes; ///< children that are nodes
+
+    float step(int axis) const;
+};
+static_assert(sizeof(LeafNode) == 128 && sizeof(LeafBlock) == 320);
+
+/// What tracing needs to know of a tile before it looks at its lists: BinMap's numbers beside the
+/// far end of the depth bounds. An empty tile has near > far.
+struct TileDepths {
+    float near, far, scale;
+};
+
+/// The id buffer as it is traced. Each cell's list stands in blocks of eight neighbouring
+/// triangles, under a tree of nodes whose boxes hold each triangle's part in the cell, so that a
+/// ray tests few of them. Triangles without area, which no ray hits, are left out.
+struct Leaves {
+    static constexpr uint32_t kEmpty = 0xffffffffu;
+    static constexpr uint32_t kBlock = 0x80000000u; ///< bit of a root that is a single block
+
+    std::vector<uint32_t> roots;   ///< per cell (Grid::cell)
+    std::vector<TileDepths> tiles; ///< in the numbering over all views
+    std::vector<LeafNode> nodes;
+    std::vector<LeafBlock> blocks;
+
+    uint64_t bytes() const;
+};
+
+/// Lays out the lists of \p grid. The same bits for any number of threads.
+void fillLeaves(const FrameGeometry& geometry, const Grid& grid, Executor& executor,
+                Leaves& leaves);
+
+} // namespace dirt

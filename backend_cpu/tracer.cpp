@@ -1,0 +1,298 @@
+#include "backend_cpu/tracer.h"
+
+#include "core/grid/denormals.h"
+#include "core/trace/intersect.h"
+
+#include <array>
+#include <cfloat>
+
+// Compiles what follows once for each instruction set that Highway knows on this architecture.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "backend_cpu/tracer.cpp"
+#include <hwy/foreach_target.h>
+
+#include "backend_cpu/leaf_test-inl.h"
+#include "backend_cpu/tile_walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace dirt::HWY_NAMESPACE {
+
+/// What is beyond t when all that lies before it has been seen (core's traverse.cpp).
+inline double beyond(float t) {
+    return (double) t * (1.0 + 2.0 * kRelativeErrorT) + (double) FLT_MIN;
+}
+
+/// Asked before the exact decision, which takes longest where a ray starts: on its own triangle.
+inline bool skips(const FrameGeometry& geometry, const Ray& ray, uint32_t id) {
+    return ray.skip != kNoPrimitive &&
+           (id == ray.skip || sameVertices(geometry.triangles[id], geometry.triangles[ray.skip]));
+}
+
+/// One ray on its way through the leaves. \p Query says what becomes of a triangle that may be hit.
+template <class Query>
+class Traversal {
+public:
+    Traversal(const LeafTracer& tracer, const Ray& ray, Query& query, LeafCounts& counts)
+        : tracer_(tracer), ray_(ray), query_(query), counts_(counts) {}
+
+    /// False if the ray has to be left to core.
+    bool run() {
+        if (!leafRay_.set(ray_)) return false;
+        std::array<ViewPart, 6> parts;
+        std::array<uint8_t, 6> order;
+        int count = 0;
+        for (size_t v = 0; v < tracer_.views.size(); ++v) {
+            ViewPart& part = parts[v];
+            if (!part.set(tracer_.views[v], ray_)) continue;
+            if (!part.clearOfEye()) return false;
+            int i = count++;
+            for (; i > 0 && part.begin < parts[order[i - 1]].begin; --i) order[i] = order[i - 1];
+            order[i] = (uint8_t) v;
+        }
+        for (int i = 0; i < count; ++i) {
+            const TracedView& view = tracer_.views[order[i]];
+            const ViewPart& part = parts[order[i]];
+            if (!(part.begin <= query_.limit)) break;
+            walkTiles(view, part, query_.limit, counts_.steps,
+                      [&](const Visit& visit) HWY_ATTR { visitTile(view, part, order[i], visit); });
+        }
+        return true;
+    }
+
+private:
+    HWY_INLINE void visitTile(const TracedView& view, const ViewPart& part, int viewIndex,
+                              const Visit& visit) {
+        ++counts_.tiles;
+        query_.enter(visit.begin, visit.end, viewIndex, visit.tile);
+        leafRay_.setPart(visit.begin, std::min(visit.end, query_.limit));
+        const int bins = tracer_.grid.settings.bins;
+        const TileDepths& bounds = view.tiles[visit.tile];
+        const auto binOf = [&](float depth) { // BinMap, to the bit
+            const float bin = (depth - bounds.near) * bounds.scale;
+            return (int) std::min(std::max(bin, 0.0f), (float) (bins - 1));
+        };
+        const int low = binOf(visit.near), high = binOf(visit.far);
+        const uint32_t* const roots = view.roots + (size_t) visit.tile * bins;
+        const bool receding = part.dw >= 0.0;
+        const int step = receding ? 1 : -1;
+        int last = receding ? high : low;
+        double limit = query_.limit;
+        for (int bin = receding ? low : high;; bin += step) {
+            if (roots[bin] != Leaves::kEmpty) {
+                ++counts_.bins;
+                if (roots[bin] & Leaves::kBlock)
+                    testBlock(roots[bin] & ~Leaves::kBlock, visit);
+                else
+                    testNode(tracer_.leaves.nodes[roots[bin]], visit);
+                if (query_.limit < limit) { // bins beyond the hit are not needed any more
+                    limit = query_.limit;
+                    if (limit < visit.begin) return;
+                    // Like the depths of a visit, off by 2^-23 at most.
+                    const double depth = part.ow + limit * part.dw;
+                    const int reached = binOf((float) (depth * (1.0 + step * 0x1p-21)));
+                    last = receding ? std::min(last, reached) : std::max(last, reached);
+                    if ((last - bin) * step <= 0) return;
+                }
+            }
+            if (bin == last) return;
+        }
+    }
+
+    void testNode(const LeafNode& node, const Visit& visit) {
+        ++counts_.nodes;
+        HWY_ALIGN float entry[LeafNode::kChildren];
+        uint32_t met = childrenMet(leafRay_, node, entry);
+        while (met != 0) {
+            // The nearest that is left; most often there are one or two.
+            int child = hwy::Num0BitsBelowLS1Bit_Nonzero32(met);
+            for (uint32_t rest = met & (met - 1); rest != 0; rest &= rest - 1) {
+                const int other = hwy::Num0BitsBelowLS1Bit_Nonzero32(rest);
+                if (entry[other] < entry[child]) child = other;
+            }
+            if (entry[child] > leafRay_.end) return;
+            met &= ~(1u << child);
+            if (child < node.nodes)
+                testNode(tracer_.leaves.nodes[node.firstNode + child], visit);
+            else
+                testBlock(node.firstBlock + child - node.nodes, visit);
+        }
+    }
+
+    HWY_INLINE void testBlock(uint32_t index, const Visit& visit) {
+        ++counts_.blocks;
+        const LeafBlock& block = tracer_.leaves.blocks[index];
+        uint32_t met = trianglesMet(leafRay_, block);
+        if (met == 0) return;
+        for (; met != 0; met &= met - 1) {
+            const uint32_t id = block.id[hwy::Num0BitsBelowLS1Bit_Nonzero32(met)];
+            if (id != kNoPrimitive) query_.test(id, counts_);
+        }
+        leafRay_.setEnd(std::min(visit.end, query_.limit));
+    }
+
+    const LeafTracer& tracer_;
+    const Ray& ray_;
+    Query& query_;
+    LeafCounts& counts_;
+    LeafRay leafRay_;
+};
+
+/// T3: the nearest hit, at equal t the lowest id, filed under a tile in which it lies.
+class NearestQuery {
+public:
+    NearestQuery(const LeafTracer& tracer, const Ray& ray) : tracer_(tracer), ray_(ray) {
+        if (tracer.cone) seen_ = tracer.cone->part(ray);
+    }
+
+    void enter(double begin, double end, int view, int tile) {
+        begin_ = begin, end_ = end, view_ = view, tile_ = tile;
+    }
+
+    void test(uint32_t id, LeafCounts& counts) {
+        if (id != best.primitive) {
+            if (skips(tracer_.geometry, ray_, id)) return;
+            ++counts.exact;
+            TriangleHit hit;
+            if (!intersect(ray_, tracer_.geometry.triangles[id], hit)) return;
+            const bool nearer =
+                !best.found() || hit.t < best.t || (hit.t == best.t && id < best.primitive);
+            if (!nearer || !seen_.holds(hit.t)) return;
+            best = {id, hit.t, hit.u, hit.v, 0, 0};
+            limit = beyond(hit.t);
+            located_ = false;
+        }
+        if (located_) return;
+        best.view = (uint32_t) view_;
+        best.tile = (uint32_t) tile_;
+        const double error = (double) best.t * kRelativeErrorT + (double) FLT_MIN;
+        located_ = begin_ <= best.t + error && best.t - error <= end_;
+    }
+
+    Hit best;
+    double limit = kForever;
+
+private:
+    const LeafTracer& tracer_;
+    const Ray& ray_;
+    ViewCone::Part seen_{0.0f, FLT_MAX};
+    bool located_ = false; ///< best's view and tile hold its t
+    double begin_ = 0.0, end_ = 0.0;
+    int view_ = 0, tile_ = 0;
+};
+
+class AnyQuery {
+public:
+    AnyQuery(const LeafTracer& tracer, const Ray& ray, float maxT)
+        : limit(beyond(maxT)), tracer_(tracer), ray_(ray), maxT_(maxT) {
+        if (tracer.cone) seen_ = tracer.cone->part(ray);
+    }
+
+    void enter(double, double, int, int) {}
+
+    void test(uint32_t id, LeafCounts& counts) {
+        if (found || skips(tracer_.geometry, ray_, id)) return;
+        ++counts.exact;
+        TriangleHit hit;
+        if (intersect(ray_, tracer_.geometry.triangles[id], hit) && hit.t < maxT_ &&
+            seen_.holds(hit.t)) {
+            found = true;
+            limit = -1.0; // ends everything
+        }
+    }
+
+    bool found = false;
+    double limit;
+
+private:
+    const LeafTracer& tracer_;
+    const Ray& ray_;
+    float maxT_;
+    ViewCone::Part seen_{0.0f, FLT_MAX};
+};
+
+inline Ray flushedRay(Ray ray) {
+    for (int i = 0; i < 3; ++i) {
+        ray.origin[i] = flushed(ray.origin[i]);
+        ray.direction[i] = flushed(ray.direction[i]);
+    }
+    return ray;
+}
+
+/// Rays that go on to core at once: those from the eye where triangles hold it.
+inline bool needsCore(const LeafTracer& tracer, const Ray& ray) {
+    return !tracer.grid.atEye.empty() && ray.origin == glm::vec3(0.0f);
+}
+
+void Closest(const LeafTracer& tracer, std::span<const Ray> rays, std::span<Hit> hits,
+             LeafCounts& counts) {
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const Ray ray = flushedRay(rays[i]);
+        hits[i] = {};
+        if (!isTraceable(ray)) continue;
+        NearestQuery query(tracer, ray);
+        if (!needsCore(tracer, ray) && Traversal(tracer, ray, query, counts).run()) {
+            hits[i] = query.best;
+        } else {
+            ++counts.scalar;
+            hits[i] = closestHit(tracer.grid, tracer.geometry, ray);
+        }
+    }
+}
+
+void Occluded(const LeafTracer& tracer, std::span<const Ray> rays, std::span<const float> maxT,
+              std::span<uint8_t> result, LeafCounts& counts) {
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const Ray ray = flushedRay(rays[i]);
+        result[i] = 0;
+        if (!isTraceable(ray) || !(maxT[i] > 0.0f)) continue;
+        AnyQuery query(tracer, ray, maxT[i]);
+        if (!needsCore(tracer, ray) && Traversal(tracer, ray, query, counts).run()) {
+            result[i] = query.found;
+        } else {
+            ++counts.scalar;
+            result[i] = anyHit(tracer.grid, tracer.geometry, ray, maxT[i]);
+        }
+    }
+}
+
+} // namespace dirt::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dirt {
+
+HWY_EXPORT(Closest);
+HWY_EXPORT(Occluded);
+
+LeafTracer::LeafTracer(const FrameGeometry& geometry, const Grid& grid, const Leaves& leaves)
+    : geometry(geometry), grid(grid), leaves(leaves) {
+    const GridSettings& settings = grid.settings;
+    for (size_t v = 0; v < grid.views.size(); ++v) {
+        const View& view = grid.views[v];
+        const auto tilesPerSlope = [&](int pixels, const std::vector<float>& borders) {
+            return pixels / ((double) settings.tile * ((double) borders.back() - borders.front()));
+        };
+        views.push_back({view.axisX, view.axisY, view.axisW, view.signW, view.columns, view.rows,
+                         view.s.data(), view.t.data(), tilesPerSlope(view.width, view.s),
+                         tilesPerSlope(view.height, view.t),
+                         leaves.tiles.data() + grid.firstTile[v],
+                         leaves.roots.data() + grid.cell((int) v, 0, 0)});
+    }
+    if (settings.mode == ViewMode::single) cone.emplace(grid.views[0]);
+}
+
+void LeafTracer::closest(std::span<const Ray> rays, std::span<Hit> hits, LeafCounts* counts) const {
+    LeafCounts local;
+    HWY_DYNAMIC_DISPATCH(Closest)(*this, rays, hits, local);
+    if (counts) *counts = local;
+}
+
+void LeafTracer::occluded(std::span<const Ray> rays, std::span<const float> maxT,
+                      std::span<uint8_t> result, LeafCounts* counts) const {
+    LeafCounts local;
+    HWY_DYNAMIC_DISPATCH(Occluded)(*this, rays, maxT, result, local);
+    if (counts) *counts = local;
+}
+
+} // namespace dirt
+#endif // HWY_ONCE

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "backend_cpu/leaves.h"
+#include "core/trace/traverse.h"
+#include "core/trace/view_cone.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace dirt {
+
+/// What the traversal of the leaves did.
+struct LeafCounts {
+    uint64_t steps = 0;  ///< tiles looked at
+    uint64_t tiles = 0;  ///< tiles whose bins were visited
+    uint64_t bins = 0;   ///< lists visited
+    uint64_t nodes = 0;  ///< nodes tested
+    uint64_t blocks = 0; ///< blocks of eight triangles tested
+    uint64_t exact = 0;  ///< triangles that went on to core's exact decision
+    uint64_t scalar = 0; ///< rays left to core's traversal
+};
+
+/// One view as the walk needs it.
+struct TracedView {
+    int axisX, axisY, axisW;
+    double signW;
+    int columns, rows;
+    const float *s, *t;          ///< border slopes
+    double tilesPerX, tilesPerY; ///< tiles per unit of slope
+    const TileDepths* tiles;
+    const uint32_t* roots; ///< of the view's first cell
+};
+
+/// Traces rays through the leaves of a grid: the hits of core's traversal, to the bit.
+class LeafTracer {
+public:
+    /// All arguments must stay alive and unchanged while rays are traced.
+    LeafTracer(const FrameGeometry& geometry, const Grid& grid, const Leaves& leaves);
+
+    /// Nearest hits, as core's closestHit. \p counts, if any, gets what was done added.
+    void closest(std::span<const Ray> rays, std::span<Hit> hits,
+                 LeafCounts* counts = nullptr) const;
+    /// 1 where anything is hit at t < maxT, as core's anyHit.
+    void occluded(std::span<const Ray> rays, std::span<const float> maxT, std::span<uint8_t> result,
+                  LeafCounts* counts = nullptr) const;
+
+    const FrameGeometry& geometry;
+    const Grid& grid;
+    const Leaves& leaves;
+    std::vector<TracedView> views;
+    std::optional<ViewCone> cone; ///< single mode: where rays end
+};
+
+} // namespace dirt

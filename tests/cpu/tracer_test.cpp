@@ -1,0 +1,248 @@
+// The SIMD traversal against core's, which is its definition: the same hits to the bit, with every
+// instruction set this machine has.
+
+#include "backend_cpu/tracer.h"
+
+#include "backend_cpu/thread_pool.h"
+#include "tests/support/grid_rays.h"
+#include "tests/support/print.h"
+#include "tests/support/small_scenes.h"
+
+#include <hwy/targets.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cfloat>
+
+namespace dirt::test {
+namespace {
+
+/// Each instruction set in turn, and the best again in the end.
+template <class Body>
+void forEachTarget(Body&& body) {
+    std::vector<int64_t> targets;
+    for (int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1)
+        targets.push_back(rest & -rest);
+    for (const int64_t target : targets) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        SCOPED_TRACE(hwy::TargetName(target));
+        body();
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    EXPECT_GT(targets.size(), 1u);
+}
+
+bool sameHit(const Hit& a, const Hit& b) {
+    return a.primitive == b.primitive &&
+           std::bit_cast<uint32_t>(a.t) == std::bit_cast<uint32_t>(b.t) &&
+           std::bit_cast<uint32_t>(a.u) == std::bit_cast<uint32_t>(b.u) &&
+           std::bit_cast<uint32_t>(a.v) == std::bit_cast<uint32_t>(b.v);
+}
+
+bool lists(const Grid& grid, const Hit& hit) {
+    for (int bin = 0; bin < grid.settings.bins; ++bin) {
+        const auto list = grid.list((int) hit.view, (int) hit.tile, bin);
+        if (std::binary_search(list.begin(), list.end(), hit.primitive)) return true;
+    }
+    return std::binary_search(grid.atEye.begin(), grid.atEye.end(), hit.primitive);
+}
+
+/// A grid with its leaves.
+struct Structure {
+    const FrameGeometry& geometry;
+    Grid grid;
+    Leaves leaves;
+
+    Structure(const FrameGeometry& geometry, const Camera& camera, const GridSettings& settings)
+        : geometry(geometry), grid(buildGrid(geometry, camera, settings)) {
+        SerialExecutor serial;
+        fillLeaves(geometry, grid, serial, leaves);
+    }
+};
+
+struct Asked {
+    std::vector<Ray> rays;
+    std::vector<Hit> nearest; ///< core's answers
+    std::vector<float> maxT;
+    std::vector<uint8_t> occluded;
+
+    void add(const Structure& s, const Ray& ray, Random& random) {
+        rays.push_back(ray);
+        nearest.push_back(closestHit(s.grid, s.geometry, ray));
+        const float t = nearest.back().t;
+        maxT.push_back(random.pick({t, std::nextafter(t, INFINITY), FLT_MAX, 0.5f, 0.0f}));
+        occluded.push_back(anyHit(s.grid, s.geometry, ray, maxT.back()));
+    }
+};
+
+/// Compares all answers, with every target. Returns how many rays were left to core.
+LeafCounts expectEqual(const Structure& s, const Asked& asked, const std::string& what) {
+    const LeafTracer tracer(s.geometry, s.grid, s.leaves);
+    LeafCounts counts;
+    forEachTarget([&] {
+        std::vector<Hit> hits(asked.rays.size());
+        std::vector<uint8_t> occluded(asked.rays.size());
+        tracer.closest(asked.rays, hits, &counts);
+        tracer.occluded(asked.rays, asked.maxT, occluded);
+        for (size_t i = 0; i < hits.size(); ++i) {
+            ASSERT_TRUE(sameHit(hits[i], asked.nearest[i]))
+                << hits[i].primitive << " at " << hex(hits[i].t) << " for "
+                << asked.nearest[i].primitive << " at " << hex(asked.nearest[i].t) << "\n"
+                << hex(asked.rays[i]) << "\n"
+                << what;
+            ASSERT_EQ(occluded[i], asked.occluded[i]) << "up to " << hex(asked.maxT[i]) << "\n"
+                                                      << hex(asked.rays[i]) << "\n"
+                                                      << what;
+            ASSERT_TRUE(!hits[i].found() || lists(s.grid, hits[i]))
+                << "the hit's tile does not list it\n"
+                << hex(asked.rays[i]) << "\n"
+                << what;
+        }
+    });
+    return counts;
+}
+
+ViewSet randomViews(Random& random) {
+    GridSettings settings;
+    settings.mode = random.chance(0.8) ? ViewMode::full : ViewMode::single;
+    settings.tile = random.pick({1, 1, 2, 7, 16});
+    const int tiles = random.pick({1, 2, 3, 8, 17, 32, 64});
+    settings.viewSize = std::max(1, tiles * settings.tile - random.below(settings.tile));
+    settings.width = settings.viewSize + random.below(40);
+    settings.height = settings.viewSize;
+    settings.bins = random.pick({1, 2, 16, 44, 256});
+    Camera camera;
+    camera.verticalFov = random.pick({1.0f, 30.0f, 90.0f, 150.0f, 170.0f});
+    return {settings, camera};
+}
+
+TEST(LeafTracer, EqualsCoreOnNastyScenes) {
+    Random random(61);
+    uint64_t rays = 0, scalar = 0;
+    for (int round = 0; round < cases(120, 3000); ++round) {
+        const ViewSet set = randomViews(random);
+        FrameGeometry geometry;
+        geometry.triangles = smallScene(random, set);
+        const Structure structure(geometry, set.camera, set.settings);
+        GridRays source(random, set, geometry.triangles);
+        Asked asked;
+        for (int i = 0; i < 250; ++i) {
+            Ray ray = source.next().ray;
+            if (random.chance(0.1))
+                ray.skip = (uint32_t) random.below((int) geometry.triangles.size());
+            asked.add(structure, ray, random);
+        }
+        const LeafCounts counts =
+            expectEqual(structure, asked,
+                        describe(set) + " bins " + std::to_string(set.settings.bins) + " round " +
+                            std::to_string(round));
+        if (HasFatalFailure()) return;
+        rays += asked.rays.size();
+        scalar += counts.scalar;
+    }
+    EXPECT_LT(scalar, rays / 5) << "most rays must take the path under test";
+}
+
+/// Long lists: trees of several levels in one cell, all sizes of blocks and nodes.
+TEST(LeafTracer, EqualsCoreOnLongLists) {
+    Random random(62);
+    for (const int count : {1, 7, 8, 9, 16, 17, 127, 128, 129, 136, 400, 2500, 12000}) {
+        FrameGeometry geometry;
+        const double size = 0.6 / std::cbrt(count);
+        for (int i = 0; i < count; ++i) {
+            const glm::vec3 centre = glm::vec3(0.5f, 0.5f, 1.0f) + uniformPoint(random, 0.4);
+            const auto corner = [&] { return centre + uniformPoint(random, size); };
+            geometry.triangles.push_back({corner(), corner(), corner()});
+        }
+        const ViewSet set = fullViews(2, 1);
+        GridSettings settings = set.settings;
+        settings.bins = random.pick({1, 3});
+        const Structure structure(geometry, set.camera, settings);
+        GridRays source(random, set, geometry.triangles);
+        Asked asked;
+        for (int i = 0; i < cases(200, 2000); ++i) asked.add(structure, source.next().ray, random);
+        expectEqual(structure, asked, std::to_string(count) + " triangles");
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(LeafTracer, RaysThatAreNoneHitNothing) {
+    FrameGeometry geometry;
+    geometry.triangles = {{{-1, -1, 0.5f}, {1, -1, 0.5f}, {0, 1, 0.5f}}};
+    const ViewSet set = fullViews(16, 4);
+    const Structure structure(geometry, set.camera, set.settings);
+    Random random(63);
+    Asked asked;
+    for (float bad : {std::nanf(""), INFINITY, -INFINITY})
+        for (int i = 0; i < 6; ++i) {
+            Ray ray{{0, 0, 0}, {0, 0, 1}};
+            (i < 3 ? ray.origin : ray.direction)[i % 3] = bad;
+            asked.add(structure, ray, random);
+        }
+    asked.add(structure, {{0, 0, 0}, {0, 0, 0}}, random);
+    expectEqual(structure, asked, "");
+}
+
+/// A triangle that holds the eye is in no tile.
+TEST(LeafTracer, FindsWhatHoldsTheEye) {
+    FrameGeometry geometry;
+    geometry.triangles = {{{-1, -1, 0.5f}, {1, -1, 0.5f}, {0, 1, 0.5f}},
+                          {{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}}};
+    const ViewSet set = fullViews(16, 4);
+    const Structure structure(geometry, set.camera, set.settings);
+    Random random(64);
+    Asked asked;
+    for (const Ray& ray : {Ray{{0, 0, 0}, {0, 0.1f, 1}},
+                           {{0, 0, 0}, {0, 0, 1}},
+                           {{0, -0.5f, 0}, {0, 1, 0}},
+                           {{-0.25f, -0.5f, 0.75f}, {0.25f, 0.5f, -0.75f}}})
+        asked.add(structure, ray, random);
+    EXPECT_EQ(asked.nearest[0].primitive, 1u);
+    expectEqual(structure, asked, "");
+}
+
+TEST(Leaves, HoldEachListWithoutWhatHasNoArea) {
+    Random random(65);
+    for (int round = 0; round < 20; ++round) {
+        const ViewSet set = randomViews(random);
+        FrameGeometry geometry;
+        geometry.triangles = smallScene(random, set);
+        const Structure s(geometry, set.camera, set.settings);
+        ThreadPool pool(3);
+        Leaves parallel;
+        fillLeaves(geometry, s.grid, pool, parallel);
+        EXPECT_EQ(parallel.roots, s.leaves.roots);
+        ASSERT_EQ(parallel.blocks.size(), s.leaves.blocks.size());
+        for (size_t b = 0; b < parallel.blocks.size(); ++b)
+            EXPECT_TRUE(std::ranges::equal(parallel.blocks[b].id, s.leaves.blocks[b].id));
+
+        std::vector<uint32_t> laidOut, listed;
+        for (const LeafBlock& block : s.leaves.blocks)
+            for (const uint32_t id : block.id)
+                if (id != kNoPrimitive) laidOut.push_back(id);
+        for (const uint32_t id : s.grid.ids) {
+            const Triangle& t = geometry.triangles[id];
+            if (t.a != t.b && t.b != t.c && t.c != t.a) listed.push_back(id);
+        }
+        std::ranges::sort(laidOut);
+        std::ranges::sort(listed);
+        EXPECT_TRUE(std::ranges::includes(listed, laidOut));
+        // Those on a line are few, and no ray hits them.
+        std::vector<uint32_t> missing;
+        std::ranges::set_difference(listed, laidOut, std::back_inserter(missing));
+        for (const uint32_t id : missing) {
+            const Triangle& t = geometry.triangles[id];
+            const glm::dvec3 ab = glm::dvec3(t.b) - glm::dvec3(t.a);
+            const glm::dvec3 ac = glm::dvec3(t.c) - glm::dvec3(t.a);
+            const double largest = glm::length(ab) * glm::length(ac);
+            EXPECT_LE(glm::length(glm::cross(ab, ac)), 0x1p-48 * largest) << hex(t);
+        }
+    }
+}
+
+} // namespace
+} // namespace dirt::test
