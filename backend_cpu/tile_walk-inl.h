@@ -10,6 +10,7 @@
 #include "backend_cpu/tracer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,6 +18,8 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace dirt::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
 
 inline constexpr double kForever = std::numeric_limits<double>::infinity();
 
@@ -31,43 +34,88 @@ inline constexpr double kForever = std::numeric_limits<double>::infinity();
 /// 1/1024 of a tile, which is 2^-22 S at 8192 tiles: within the 1/512 that tiles list. Its depth is
 /// likewise off by 2^-50 (|o| + w) <= 2^-23 w. Rays that come nearer to the eye are not walked.
 struct ViewPart {
-    double ox, oy, ow, dx, dy, dw;
-    double begin, end; ///< rounded outwards
-    double depth;      ///< w at begin
+    double o[2], d[2], ow, dw; ///< x and y; w
+    double begin, end;         ///< rounded outwards
+    double depth;              ///< w at begin
+    int view;
+};
 
-    /// Cuts the part to where a + b t >= 0.
-    bool cut(double a, double b) {
-        if (b == 0.0) return a >= 0.0;
-        if (a < 0.0 && b < 0.0) return false;
-        const double t = -a / b;
-        if (b > 0.0)
-            begin = std::max(begin, t * (1.0 - 0x1p-49));
-        else
-            end = std::min(end, t * (1.0 + 0x1p-49));
-        return begin <= end;
-    }
+/// The parts of a ray in all views, in the order in which it enters them.
+struct ViewParts {
+    std::array<ViewPart, kMaxViews> part;
+    int count = 0;
 
-    /// False if the ray is not in the view's closed cone.
-    bool set(const TracedView& view, const Ray& ray) {
-        ox = ray.origin[view.axisX], dx = ray.direction[view.axisX];
-        oy = ray.origin[view.axisY], dy = ray.direction[view.axisY];
-        ow = view.signW * ray.origin[view.axisW], dw = view.signW * ray.direction[view.axisW];
-        if (ow < 0.0 && dw <= 0.0) return false;
-        begin = 0.0, end = kForever;
-        const double s0 = view.s[0], s1 = view.s[view.columns];
-        const double t0 = view.t[0], t1 = view.t[view.rows];
-        if (!(cut(ox - s0 * ow, dx - s0 * dw) && cut(s1 * ow - ox, s1 * dw - dx) &&
-              cut(oy - t0 * ow, dy - t0 * dw) && cut(t1 * ow - oy, t1 * dw - dy)))
-            return false;
-        depth = ow + begin * dw;
+    /// False if the ray comes too near to the eye to be walked.
+    bool set(const ViewTable& views, const Ray& ray) {
+        constexpr int kLanes = ViewTable::kLanes;
+        HWY_ALIGN double o[3][kLanes], d[3][kLanes], begins[kLanes], ends[kLanes], depths[kLanes];
+        for (int lane = 0; lane < kLanes; ++lane)
+            for (int i = 0; i < 3; ++i) {
+                o[i][lane] = views.sign[i][lane] * ray.origin[views.axis[i][lane]];
+                d[i][lane] = views.sign[i][lane] * ray.direction[views.axis[i][lane]];
+            }
+        const double away =
+            std::max({std::abs(ray.origin.x), std::abs(ray.origin.y), std::abs(ray.origin.z)});
+
+        const hn::CappedTag<double, kLanes> tag;
+        using V = hn::Vec<decltype(tag)>;
+        uint32_t alive = 0, close = 0;
+        for (size_t lane = 0; lane < kLanes; lane += hn::Lanes(tag)) {
+            const V zero = hn::Zero(tag), forever = hn::Set(tag, kForever);
+            const V ow = hn::Load(tag, o[2] + lane), dw = hn::Load(tag, d[2] + lane);
+            V begin = zero, end = forever;
+            for (int axis = 0; axis < 2; ++axis) {
+                const V x = hn::Load(tag, o[axis] + lane), dx = hn::Load(tag, d[axis] + lane);
+                for (int side = 0; side < 2; ++side) {
+                    // The view is where a + b t >= 0.
+                    const V slope = hn::Load(tag, views.rim[axis][side] + lane);
+                    V a = hn::Sub(x, hn::Mul(slope, ow)), b = hn::Sub(dx, hn::Mul(slope, dw));
+                    if (side == 1) a = hn::Neg(a), b = hn::Neg(b);
+                    const V t = hn::Neg(hn::Div(a, b));
+                    const auto enters = hn::Gt(b, zero), leaves = hn::Lt(b, zero);
+                    const auto outside = hn::And(hn::Eq(b, zero), hn::Lt(a, zero));
+                    begin = hn::IfThenElse(
+                        enters, hn::Max(begin, hn::Mul(t, hn::Set(tag, 1.0 - 0x1p-49))), begin);
+                    end = hn::IfThenElse(
+                        leaves, hn::Min(end, hn::Mul(t, hn::Set(tag, 1.0 + 0x1p-49))), end);
+                    end = hn::IfThenElse(outside, hn::Set(tag, -1.0), end);
+                }
+            }
+            const V depth = hn::Add(ow, hn::Mul(begin, dw));
+            const V last = hn::Add(ow, hn::Mul(hn::Min(end, hn::Set(tag, 0x1p100)), dw));
+            hn::Store(begin, tag, begins + lane);
+            hn::Store(end, tag, ends + lane);
+            hn::Store(depth, tag, depths + lane);
+            // A cone is left at once where the next one is entered, unless there is none.
+            const auto met =
+                hn::And(hn::Le(begin, end), hn::Gt(end, hn::Load(tag, views.atLeast + lane)));
+            const auto near = hn::Lt(hn::Min(depth, last), hn::Set(tag, 0x1p-26 * away));
+            alive |= maskBits(tag, met) << lane;
+            close |= maskBits(tag, near) << lane;
+        }
+        if ((alive & close) != 0) return false;
+        for (; alive != 0; alive &= alive - 1) {
+            const int v = (int) hwy::Num0BitsBelowLS1Bit_Nonzero32(alive);
+            int i = count++;
+            for (; i > 0 && begins[v] < part[i - 1].begin; --i) part[i] = part[i - 1];
+            part[i] = {{o[0][v], o[1][v]},
+                       {d[0][v], d[1][v]},
+                       o[2][v],
+                       d[2][v],
+                       begins[v],
+                       ends[v],
+                       depths[v],
+                       v};
+        }
         return true;
     }
 
-    /// Whether the bounds above hold: the ray stays clear of the eye, or starts there.
-    bool clearOfEye() const {
-        const double away = std::max({std::abs(ox), std::abs(oy), std::abs(ow)});
-        const double last = end == kForever ? (dw < 0.0 ? 0.0 : depth) : ow + end * dw;
-        return std::min(depth, last) >= 0x1p-26 * away;
+private:
+    template <class Tag, class Mask>
+    static HWY_INLINE uint32_t maskBits(Tag tag, Mask mask) {
+        uint8_t bits[8] = {};
+        hn::StoreMaskBits(tag, mask, bits);
+        return bits[0];
     }
 };
 
@@ -83,66 +131,80 @@ struct Visit {
 template <class Function>
 HWY_INLINE void walkTiles(const TracedView& view, const ViewPart& part, const double& limit,
                           uint64_t& steps, Function&& visit) {
-    const double my = part.ow * part.dx - part.ox * part.dw;
-    const double mx = part.ow * part.dy - part.oy * part.dw;
-    const int stepX = (my > 0.0) - (my < 0.0), stepY = (mx > 0.0) - (mx < 0.0);
-
     // The slopes at the begin; of a ray from the eye, those of its direction.
-    double x = part.ox + part.begin * part.dx, y = part.oy + part.begin * part.dy;
-    double w = part.depth;
-    if (!(w > 0.0)) x = part.dx, y = part.dy, w = part.dw;
+    const bool fromEye = !(part.depth > 0.0);
+    const double w = fromEye ? part.dw : part.depth;
     if (!(w > 0.0)) return; // in the eye alone
     const double inverse = 1.0 / w;
-    int column = (int) ((x * inverse - view.s[0]) * view.tilesPerX);
-    int row = (int) ((y * inverse - view.t[0]) * view.tilesPerY);
-    column = std::clamp(column, 0, view.columns - 1);
-    row = std::clamp(row, 0, view.rows - 1);
 
-    // Where the border ahead is crossed; never, if that would be behind the eye.
-    struct Crossing {
+    // Along one axis: the tile, and where its border ahead is crossed; never, if that would be
+    // behind the eye.
+    struct Axis {
+        double o, d, growth; ///< growth of x/w along the ray, exact in sign
+        const float* border;
+        int left; ///< tiles before the rim
+        int tileStep, borderStep;
         double t, depth;
     };
-    const auto crossing = [](double slope, double o, double d, double ow, double dw, double m) {
-        const double denominator = d - slope * dw;
-        if (!(denominator * m > 0.0)) return Crossing{kForever, 0.0};
+    const auto cross = [&part](Axis& axis) HWY_ATTR {
+        const double slope = *axis.border;
+        const double denominator = axis.d - slope * part.dw;
         const double r = 1.0 / denominator;
-        return Crossing{(slope * ow - o) * r, m * r};
+        axis.t = denominator * axis.growth > 0.0 ? (slope * part.ow - axis.o) * r : kForever;
+        axis.depth = axis.growth * r;
     };
-    const float* s = view.s + (stepX > 0 ? 1 : 0);
-    const float* t = view.t + (stepY > 0 ? 1 : 0);
-    Crossing nextX{kForever, 0.0}, nextY{kForever, 0.0};
-    if (stepX != 0) nextX = crossing(s[column], part.ox, part.dx, part.ow, part.dw, my);
-    if (stepY != 0) nextY = crossing(t[row], part.oy, part.dy, part.ow, part.dw, mx);
-
+    int tile = 0;
+    const auto start = [&](int i) HWY_ATTR {
+        Axis axis;
+        axis.o = part.o[i], axis.d = part.d[i];
+        axis.growth = part.ow * axis.d - axis.o * part.dw;
+        const double x = fromEye ? axis.d : axis.o + part.begin * axis.d;
+        const int at =
+            std::clamp((int) ((x * inverse - view.borders[i][0]) * view.tilesPerSlope[i]), 0,
+                       view.tiles[i] - 1);
+        const bool up = axis.growth > 0.0;
+        const int stride = i == 0 ? 1 : view.tiles[0];
+        tile += at * stride;
+        axis.left = up ? view.tiles[i] - 1 - at : at;
+        axis.tileStep = up ? stride : -stride;
+        axis.borderStep = up ? 1 : -1;
+        axis.border = view.borders[i] + at + up;
+        cross(axis);
+        return axis;
+    };
+    Axis column = start(0), row = start(1);
     const double depthAtEnd = part.end == kForever ? (part.dw > 0.0 ? kForever : part.depth)
                                                    : part.ow + part.end * part.dw;
     double begin = part.begin, depth = part.depth;
-    while (begin <= limit) {
-        ++steps;
-        const bool throughX = nextX.t < nextY.t;
-        double end = throughX ? nextX.t : nextY.t;
-        double exitDepth = throughX ? nextX.depth : nextY.depth;
+
+    // The tile up to where it is left. False where the walk ends there.
+    const auto pass = [&](double end, double exitDepth) HWY_ATTR {
         const bool last = !(end < part.end);
         if (last) end = part.end, exitDepth = depthAtEnd;
-
-        const int tile = row * view.columns + column;
-        const TileDepths& bounds = view.tiles[tile];
+        const TileDepths& bounds = view.depths[tile];
         const float near = (float) (std::min(depth, exitDepth) * (1.0 - 0x1p-21));
         const float far = (float) std::min(std::max(depth, exitDepth) * (1.0 + 0x1p-21), 0x1p100);
-        if (bounds.near <= far && near <= bounds.far)
+        if ((bounds.near <= far) & (near <= bounds.far))
             visit(Visit{begin, end * (1.0 + 0x1p-48), near, far, tile});
-        if (last) return;
-
         begin = std::max(begin, end * (1.0 - 0x1p-48));
         depth = exitDepth;
-        if (throughX) {
-            column += stepX;
-            if ((unsigned) column >= (unsigned) view.columns) return;
-            nextX = crossing(s[column], part.ox, part.dx, part.ow, part.dw, my);
+        return !last;
+    };
+    const auto advance = [&](Axis& axis) HWY_ATTR {
+        if (axis.left-- == 0) return false;
+        tile += axis.tileStep;
+        axis.border += axis.borderStep;
+        cross(axis);
+        return true;
+    };
+    // The branch on what comes next is foreseen well enough that the next crossing is under way
+    // before this one is decided.
+    while (begin <= limit) {
+        ++steps;
+        if (row.t < column.t) {
+            if (!pass(row.t, row.depth) || !advance(row)) return;
         } else {
-            row += stepY;
-            if ((unsigned) row >= (unsigned) view.rows) return;
-            nextY = crossing(t[row], part.oy, part.dy, part.ow, part.dw, mx);
+            if (!pass(column.t, column.depth) || !advance(column)) return;
         }
     }
 }

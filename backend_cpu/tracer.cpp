@@ -24,8 +24,11 @@ inline double beyond(float t) {
 
 /// Asked before the exact decision, which takes longest where a ray starts: on its own triangle.
 inline bool skips(const FrameGeometry& geometry, const Ray& ray, uint32_t id) {
-    return ray.skip != kNoPrimitive &&
-           (id == ray.skip || sameVertices(geometry.triangles[id], geometry.triangles[ray.skip]));
+    if (ray.skip == kNoPrimitive) return false;
+    if (id == ray.skip) return true;
+    const Triangle &own = geometry.triangles[ray.skip], &other = geometry.triangles[id];
+    const bool shared = own.a == other.a || own.a == other.b || own.a == other.c;
+    return shared && sameVertices(own, other);
 }
 
 /// One ray on its way through the leaves. \p Query says what becomes of a triangle that may be hit.
@@ -38,35 +41,25 @@ public:
     /// False if the ray has to be left to core.
     bool run() {
         if (!leafRay_.set(ray_)) return false;
-        std::array<ViewPart, 6> parts;
-        std::array<uint8_t, 6> order;
-        int count = 0;
-        for (size_t v = 0; v < tracer_.views.size(); ++v) {
-            ViewPart& part = parts[v];
-            if (!part.set(tracer_.views[v], ray_)) continue;
-            if (!part.clearOfEye()) return false;
-            int i = count++;
-            for (; i > 0 && part.begin < parts[order[i - 1]].begin; --i) order[i] = order[i - 1];
-            order[i] = (uint8_t) v;
-        }
-        for (int i = 0; i < count; ++i) {
-            const TracedView& view = tracer_.views[order[i]];
-            const ViewPart& part = parts[order[i]];
+        ViewParts parts;
+        if (!parts.set(tracer_.viewTable, ray_)) return false;
+        for (int i = 0; i < parts.count; ++i) {
+            const ViewPart& part = parts.part[i];
+            const TracedView& view = tracer_.views[part.view];
             if (!(part.begin <= query_.limit)) break;
             walkTiles(view, part, query_.limit, counts_.steps,
-                      [&](const Visit& visit) HWY_ATTR { visitTile(view, part, order[i], visit); });
+                      [&](const Visit& visit) HWY_ATTR { visitTile(view, part, visit); });
         }
         return true;
     }
 
 private:
-    HWY_INLINE void visitTile(const TracedView& view, const ViewPart& part, int viewIndex,
-                              const Visit& visit) {
+    HWY_INLINE void visitTile(const TracedView& view, const ViewPart& part, const Visit& visit) {
         ++counts_.tiles;
-        query_.enter(visit.begin, visit.end, viewIndex, visit.tile);
+        query_.enter(visit.begin, visit.end, part.view, visit.tile);
         leafRay_.setPart(visit.begin, std::min(visit.end, query_.limit));
         const int bins = tracer_.grid.settings.bins;
-        const TileDepths& bounds = view.tiles[visit.tile];
+        const TileDepths& bounds = view.depths[visit.tile];
         const auto binOf = [&](float depth) { // BinMap, to the bit
             const float bin = (depth - bounds.near) * bounds.scale;
             return (int) std::min(std::max(bin, 0.0f), (float) (bins - 1));
@@ -272,11 +265,25 @@ LeafTracer::LeafTracer(const FrameGeometry& geometry, const Grid& grid, const Le
         const auto tilesPerSlope = [&](int pixels, const std::vector<float>& borders) {
             return pixels / ((double) settings.tile * ((double) borders.back() - borders.front()));
         };
-        views.push_back({view.axisX, view.axisY, view.axisW, view.signW, view.columns, view.rows,
-                         view.s.data(), view.t.data(), tilesPerSlope(view.width, view.s),
-                         tilesPerSlope(view.height, view.t),
+        views.push_back({{view.columns, view.rows},
+                         {view.s.data(), view.t.data()},
+                         {tilesPerSlope(view.width, view.s), tilesPerSlope(view.height, view.t)},
                          leaves.tiles.data() + grid.firstTile[v],
                          leaves.roots.data() + grid.cell((int) v, 0, 0)});
+    }
+    for (size_t lane = 0; lane < ViewTable::kLanes; ++lane) {
+        const View& view = grid.views[std::min(lane, grid.views.size() - 1)];
+        const int axes[3] = {view.axisX, view.axisY, view.axisW};
+        for (int i = 0; i < 3; ++i) {
+            viewTable.axis[i][lane] = axes[i];
+            viewTable.sign[i][lane] = i == 2 ? view.signW : 1.0;
+        }
+        viewTable.rim[0][0][lane] = view.s.front(), viewTable.rim[0][1][lane] = view.s.back();
+        viewTable.rim[1][0][lane] = view.t.front(), viewTable.rim[1][1][lane] = view.t.back();
+        // In full mode a part of one point is the begin or end of a neighbour's.
+        viewTable.atLeast[lane] = lane >= grid.views.size()         ? HUGE_VAL
+                                  : settings.mode == ViewMode::full ? 0.0
+                                                                    : -1.0;
     }
     if (settings.mode == ViewMode::single) cone.emplace(grid.views[0]);
 }

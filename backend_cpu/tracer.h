@@ -21,15 +21,24 @@ struct LeafCounts {
     uint64_t scalar = 0; ///< rays left to core's traversal
 };
 
-/// One view as the walk needs it.
+inline constexpr int kMaxViews = 6;
+
+/// One view as the walk needs it. Of two numbers the first is for columns, the second for rows.
 struct TracedView {
-    int axisX, axisY, axisW;
-    double signW;
-    int columns, rows;
-    const float *s, *t;          ///< border slopes
-    double tilesPerX, tilesPerY; ///< tiles per unit of slope
-    const TileDepths* tiles;
+    int tiles[2];
+    const float* borders[2];
+    double tilesPerSlope[2];
+    const TileDepths* depths;
     const uint32_t* roots; ///< of the view's first cell
+};
+
+/// What all views' cones are made of, one lane a view; lanes without a view are never met.
+struct ViewTable {
+    static constexpr int kLanes = 8;
+    int axis[3][kLanes] = {};             ///< components of x, y and w in the grid frame,
+    double sign[3][kLanes] = {};          ///< with their signs
+    alignas(64) double rim[2][2][kLanes]; ///< slopes: column or row, low and high
+    alignas(64) double atLeast[kLanes];   ///< a part that ends there or before is left out
 };
 
 /// Traces rays through the leaves of a grid: the hits of core's traversal, to the bit.
@@ -49,6 +58,7 @@ public:
     const Grid& grid;
     const Leaves& leaves;
     std::vector<TracedView> views;
+    ViewTable viewTable;
     std::optional<ViewCone> cone; ///< single mode: where rays end
 };
 
