@@ -15,6 +15,13 @@ struct alignas(64) LeafBlock {
     static constexpr int kTriangles = 8;
     float vertex[3][3][kTriangles]; ///< vertex, axis of the grid frame, triangle
     uint32_t id[kTriangles];
+
+    Triangle triangle(size_t i) const {
+        const auto corner = [&](int v) {
+            return glm::vec3(vertex[v][0][i], vertex[v][1][i], vertex[v][2][i]);
+        };
+        return {corner(0), corner(1), corner(2)};
+    }
 };
 
 /// Boxes of up to 16 parts of one cell's list, in steps of a 255th of the whole, rounded outwards.

@@ -23,10 +23,11 @@ inline double beyond(float t) {
 }
 
 /// Asked before the exact decision, which takes longest where a ray starts: on its own triangle.
-inline bool skips(const FrameGeometry& geometry, const Ray& ray, uint32_t id) {
+inline bool skips(const FrameGeometry& geometry, const Ray& ray, uint32_t id,
+                  const Triangle& other) {
     if (ray.skip == kNoPrimitive) return false;
     if (id == ray.skip) return true;
-    const Triangle &own = geometry.triangles[ray.skip], &other = geometry.triangles[id];
+    const Triangle& own = geometry.triangles[ray.skip];
     const bool shared = own.a == other.a || own.a == other.b || own.a == other.c;
     return shared && sameVertices(own, other);
 }
@@ -91,10 +92,28 @@ private:
         }
     }
 
+    /// Most of the time of a test is that of its first miss in the caches.
+    HWY_INLINE void prefetchChild(const LeafNode& node, int child) const {
+        const Leaves& leaves = tracer_.leaves;
+        const bool inner = child < node.nodes;
+        const auto* const lines =
+            inner ? reinterpret_cast<const char*>(&leaves.nodes[node.firstNode + child])
+                  : reinterpret_cast<const char*>(
+                        &leaves.blocks[node.firstBlock + child - node.nodes]);
+        hwy::Prefetch(lines);
+        hwy::Prefetch(lines + 64);
+        if (inner) return;
+        hwy::Prefetch(lines + 128);
+        hwy::Prefetch(lines + 192);
+        hwy::Prefetch(lines + 256);
+    }
+
     void testNode(const LeafNode& node, const Visit& visit) {
         ++counts_.nodes;
         HWY_ALIGN float entry[LeafNode::kChildren];
         uint32_t met = childrenMet(leafRay_, node, entry);
+        for (uint32_t rest = met; rest != 0; rest &= rest - 1)
+            prefetchChild(node, (int) hwy::Num0BitsBelowLS1Bit_Nonzero32(rest));
         while (met != 0) {
             // The nearest that is left; most often there are one or two.
             int child = hwy::Num0BitsBelowLS1Bit_Nonzero32(met);
@@ -117,8 +136,9 @@ private:
         uint32_t met = trianglesMet(leafRay_, block);
         if (met == 0) return;
         for (; met != 0; met &= met - 1) {
-            const uint32_t id = block.id[hwy::Num0BitsBelowLS1Bit_Nonzero32(met)];
-            if (id != kNoPrimitive) query_.test(id, counts_);
+            const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(met);
+            if (block.id[lane] != kNoPrimitive)
+                query_.test(block.id[lane], block.triangle(lane), counts_);
         }
         leafRay_.setEnd(std::min(visit.end, query_.limit));
     }
@@ -141,12 +161,12 @@ public:
         begin_ = begin, end_ = end, view_ = view, tile_ = tile;
     }
 
-    void test(uint32_t id, LeafCounts& counts) {
+    void test(uint32_t id, const Triangle& triangle, LeafCounts& counts) {
         if (id != best.primitive) {
-            if (skips(tracer_.geometry, ray_, id)) return;
+            if (skips(tracer_.geometry, ray_, id, triangle)) return;
             ++counts.exact;
             TriangleHit hit;
-            if (!intersect(ray_, tracer_.geometry.triangles[id], hit)) return;
+            if (!intersect(ray_, triangle, hit)) return;
             const bool nearer =
                 !best.found() || hit.t < best.t || (hit.t == best.t && id < best.primitive);
             if (!nearer || !seen_.holds(hit.t)) return;
@@ -182,12 +202,11 @@ public:
 
     void enter(double, double, int, int) {}
 
-    void test(uint32_t id, LeafCounts& counts) {
-        if (found || skips(tracer_.geometry, ray_, id)) return;
+    void test(uint32_t id, const Triangle& triangle, LeafCounts& counts) {
+        if (found || skips(tracer_.geometry, ray_, id, triangle)) return;
         ++counts.exact;
         TriangleHit hit;
-        if (intersect(ray_, tracer_.geometry.triangles[id], hit) && hit.t < maxT_ &&
-            seen_.holds(hit.t)) {
+        if (intersect(ray_, triangle, hit) && hit.t < maxT_ && seen_.holds(hit.t)) {
             found = true;
             limit = -1.0; // ends everything
         }
@@ -220,6 +239,7 @@ void Closest(const LeafTracer& tracer, std::span<const Ray> rays, std::span<Hit>
              LeafCounts& counts) {
     for (size_t i = 0; i < rays.size(); ++i) {
         const Ray ray = flushedRay(rays[i]);
+        if (ray.skip != kNoPrimitive) hwy::Prefetch(&tracer.geometry.triangles[ray.skip]);
         hits[i] = {};
         if (!isTraceable(ray)) continue;
         NearestQuery query(tracer, ray);
@@ -236,6 +256,7 @@ void Occluded(const LeafTracer& tracer, std::span<const Ray> rays, std::span<con
               std::span<uint8_t> result, LeafCounts& counts) {
     for (size_t i = 0; i < rays.size(); ++i) {
         const Ray ray = flushedRay(rays[i]);
+        if (ray.skip != kNoPrimitive) hwy::Prefetch(&tracer.geometry.triangles[ray.skip]);
         result[i] = 0;
         if (!isTraceable(ray) || !(maxT[i] > 0.0f)) continue;
         AnyQuery query(tracer, ray, maxT[i]);
