@@ -45,10 +45,10 @@ LeafItem boxOfPart(const Triangle& t, uint32_t id, const LeafItem& cell) {
     return item;
 }
 
-int widestAxis(const LeafItem* items, size_t count) {
+int widestAxis(std::span<const LeafItem> items) {
     glm::vec3 low(FLT_MAX), high(-FLT_MAX);
-    for (size_t i = 0; i < count; ++i) {
-        const glm::vec3 middle = items[i].low + items[i].high;
+    for (const LeafItem& item : items) {
+        const glm::vec3 middle = item.low + item.high;
         low = glm::min(low, middle);
         high = glm::max(high, middle);
     }
@@ -56,11 +56,11 @@ int widestAxis(const LeafItem* items, size_t count) {
     return size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
 }
 
-void NodeBoxes::add(const LeafItem* items, size_t count) {
+void NodeBoxes::add(std::span<const LeafItem> items) {
     glm::vec3 low = items[0].low, high = items[0].high;
-    for (size_t i = 1; i < count; ++i) {
-        low = glm::min(low, items[i].low);
-        high = glm::max(high, items[i].high);
+    for (const LeafItem& item : items) {
+        low = glm::min(low, item.low);
+        high = glm::max(high, item.high);
     }
     low_[count_] = low, high_[count_] = high;
     ++count_;

@@ -2,6 +2,8 @@
 
 #include "backend_cpu/leaves.h"
 
+#include <span>
+
 #include <glm/vec3.hpp>
 
 namespace dirt {
@@ -20,12 +22,12 @@ LeafItem boxOfCell(const Grid& grid, int view, int tile, int bin);
 LeafItem boxOfPart(const Triangle& triangle, uint32_t id, const LeafItem& cell);
 
 /// The axis along which the middles of the boxes spread widest.
-int widestAxis(const LeafItem* items, size_t count);
+int widestAxis(std::span<const LeafItem> items);
 
 /// Boxes of a node's children, as they are gathered and then rounded to the node's steps.
 class NodeBoxes {
 public:
-    void add(const LeafItem* items, size_t count);
+    void add(std::span<const LeafItem> items);
     void write(LeafNode& node) const;
 
 private:

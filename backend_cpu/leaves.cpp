@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace dirt {
 namespace {
@@ -14,25 +16,44 @@ namespace {
 constexpr size_t kTilesPerPiece = 64;
 constexpr uint32_t kWidth = LeafBlock::kTriangles;
 
-/// Sizes of one list's tree.
+/// Sizes of one tile's tree, without its root.
 struct TreeSize {
     uint32_t blocks = 0, nodes = 0;
 };
 
-/// Blocks of the parts into which a list of \p blocks blocks is cut: halves of halves, as equal as
-/// can be, the larger ones first.
-int childBlocks(uint32_t blocks, std::array<uint32_t, LeafNode::kChildren>& sizes) {
-    const uint32_t count = std::min<uint32_t>(blocks, LeafNode::kChildren);
-    for (uint32_t i = 0; i < count; ++i) sizes[i] = blocks / count + (i < blocks % count ? 1 : 0);
-    return (int) count;
+using Sizes = std::array<uint32_t, LeafNode::kChildren>;
+
+/// Cuts \p count things into at most 16 parts, as equal as can be, the larger ones first.
+int cut(uint32_t count, Sizes& sizes) {
+    const uint32_t parts = std::min<uint32_t>(count, LeafNode::kChildren);
+    for (uint32_t i = 0; i < parts; ++i) sizes[i] = count / parts + (i < count % parts ? 1 : 0);
+    return (int) parts;
 }
 
+uint32_t blocksOf(size_t triangles) {
+    return (uint32_t) ((triangles + kWidth - 1) / kWidth);
+}
+
+/// Nodes of the tree over one list.
 uint32_t nodesOver(uint32_t blocks) {
     if (blocks <= 1) return 0;
-    std::array<uint32_t, LeafNode::kChildren> sizes;
-    const int count = childBlocks(blocks, sizes);
+    Sizes sizes;
+    const int count = cut(blocks, sizes);
     uint32_t nodes = 1;
     for (int i = 0; i < count; ++i) nodes += nodesOver(sizes[i]);
+    return nodes;
+}
+
+/// Nodes below that over several lists, with \p blocks blocks each.
+uint32_t nodesBelow(std::span<const uint32_t> blocks) {
+    Sizes sizes;
+    const int count = cut((uint32_t) blocks.size(), sizes);
+    uint32_t nodes = 0, list = 0;
+    for (int i = 0; i < count; ++i) {
+        nodes += sizes[i] == 1 ? nodesOver(blocks[list])
+                               : 1 + nodesBelow(blocks.subspan(list, sizes[i]));
+        list += sizes[i];
+    }
     return nodes;
 }
 
@@ -51,70 +72,94 @@ bool hasNoArea(const Triangle& t) {
     return true;
 }
 
-/// Builds the tree of one cell's list into its place.
+/// Builds the tree of one tile's lists into its place.
 class TreeBuilder {
 public:
-    TreeBuilder(const FrameGeometry& geometry, Leaves& leaves, uint32_t firstBlock,
-                uint32_t firstNode)
-        : geometry_(geometry), leaves_(leaves), nextBlock_(firstBlock), nextNode_(firstNode) {}
+    using List = std::span<LeafItem>;
 
-    void build(std::vector<LeafItem>& items) {
-        const uint32_t blocks = ((uint32_t) items.size() + kWidth - 1) / kWidth;
-        if (blocks == 1) {
-            writeBlock(leaves_.blocks[nextBlock_], items.data(), items.size());
-            return;
+    TreeBuilder(const FrameGeometry& geometry, Leaves& leaves, TreeSize place)
+        : geometry_(geometry), leaves_(leaves), nextBlock_(place.blocks), nextNode_(place.nodes) {}
+
+    /// The node over several lists, each of one bin.
+    void overLists(LeafNode& node, std::span<const List> lists) {
+        Sizes sizes;
+        const int count = cut((uint32_t) lists.size(), sizes);
+        std::array<std::span<const List>, LeafNode::kChildren> parts;
+        for (int i = 0, list = 0; i < count; list += (int) sizes[i++])
+            parts[i] = lists.subspan(list, sizes[i]);
+        const auto isNode = [](std::span<const List> part) {
+            return part.size() > 1 || blocksOf(part[0].size()) > 1;
+        };
+        const auto end = std::stable_partition(parts.begin(), parts.begin() + count, isNode);
+        start(node, count, (int) (end - parts.begin()));
+
+        NodeBoxes boxes;
+        for (int i = 0; i < count; ++i) {
+            // Lists of neighbouring bins stand side by side.
+            const List all(parts[i].front().data(),
+                           parts[i].back().data() + parts[i].back().size());
+            boxes.add(all);
+            if (i >= node.nodes)
+                writeBlock(leaves_.blocks[node.firstBlock + i - node.nodes], all);
+            else if (parts[i].size() > 1)
+                overLists(leaves_.nodes[node.firstNode + i], parts[i]);
+            else
+                overBlocks(leaves_.nodes[node.firstNode + i], all);
         }
-        node(nextNode_++, items.data(), items.size(), blocks);
+        boxes.write(node);
     }
 
 private:
-    /// Brings the items into the order of the children: each half of them gets neighbours.
-    void arrange(LeafItem* items, size_t count, const uint32_t* sizes, int children) {
-        if (children == 1) return;
-        const int half = children / 2;
+    /// The node over one list of more than one block.
+    void overBlocks(LeafNode& node, List items) {
+        Sizes sizes;
+        const int count = cut(blocksOf(items.size()), sizes);
+        arrange(items, sizes.data(), count);
+        int nodes = 0;
+        while (nodes < count && sizes[nodes] > 1) ++nodes;
+        start(node, count, nodes);
+
+        NodeBoxes boxes;
+        for (int i = 0; i < count; ++i) {
+            const List part = items.first(std::min<size_t>(sizes[i] * kWidth, items.size()));
+            items = items.subspan(part.size());
+            boxes.add(part);
+            if (i < nodes)
+                overBlocks(leaves_.nodes[node.firstNode + i], part);
+            else
+                writeBlock(leaves_.blocks[node.firstBlock + i - nodes], part);
+        }
+        boxes.write(node);
+    }
+
+    void start(LeafNode& node, int children, int nodes) {
+        node.children = (uint8_t) children;
+        node.nodes = (uint8_t) nodes;
+        node.firstNode = nextNode_;
+        node.firstBlock = nextBlock_;
+        nextNode_ += (uint32_t) nodes;
+        nextBlock_ += (uint32_t) (children - nodes);
+    }
+
+    /// Brings the items into the order of the parts: halves of halves, each of neighbours.
+    void arrange(List items, const uint32_t* sizes, int parts) {
+        if (parts == 1) return;
+        const int half = parts / 2;
         size_t split = 0;
         for (int i = 0; i < half; ++i) split += (size_t) sizes[i] * kWidth;
-        const int axis = widestAxis(items, count);
-        std::nth_element(items, items + split, items + count,
+        const int axis = widestAxis(items);
+        std::nth_element(items.begin(), items.begin() + split, items.end(),
                          [axis](const LeafItem& a, const LeafItem& b) {
                              const float x = a.low[axis] + a.high[axis];
                              const float y = b.low[axis] + b.high[axis];
                              return x < y || (x == y && a.id < b.id);
                          });
-        arrange(items, split, sizes, half);
-        arrange(items + split, count - split, sizes + half, children - half);
+        arrange(items.first(split), sizes, half);
+        arrange(items.subspan(split), sizes + half, parts - half);
     }
 
-    void node(uint32_t index, LeafItem* items, size_t count, uint32_t blocks) {
-        std::array<uint32_t, LeafNode::kChildren> sizes;
-        const int children = childBlocks(blocks, sizes);
-        arrange(items, count, sizes.data(), children);
-
-        int inner = 0;
-        while (inner < children && sizes[inner] > 1) ++inner;
-        LeafNode& node = leaves_.nodes[index];
-        node.children = (uint8_t) children;
-        node.nodes = (uint8_t) inner;
-        node.firstNode = nextNode_;
-        node.firstBlock = nextBlock_;
-        nextNode_ += (uint32_t) inner;
-        nextBlock_ += (uint32_t) (children - inner);
-
-        NodeBoxes boxes;
-        LeafItem* item = items;
-        for (int i = 0; i < children; ++i) {
-            const size_t size = std::min((size_t) sizes[i] * kWidth, count - (item - items));
-            boxes.add(item, size);
-            if (i < inner)
-                this->node(node.firstNode + i, item, size, sizes[i]);
-            else
-                writeBlock(leaves_.blocks[node.firstBlock + i - inner], item, size);
-            item += size;
-        }
-        boxes.write(node);
-    }
-
-    void writeBlock(LeafBlock& block, const LeafItem* items, size_t count) {
+    void writeBlock(LeafBlock& block, List items) {
+        const size_t count = items.size();
         for (size_t i = 0; i < kWidth; ++i) {
             const uint32_t id = items[std::min(i, count - 1)].id;
             const Triangle& t = geometry_.triangles[id];
@@ -150,8 +195,8 @@ float LeafNode::step(int axis) const {
 }
 
 uint64_t Leaves::bytes() const {
-    return roots.size() * sizeof(uint32_t) + tiles.size() * sizeof(TileDepths) +
-           nodes.size() * sizeof(LeafNode) + blocks.size() * sizeof(LeafBlock);
+    return tiles.size() * sizeof(DepthBounds) + nodes.size() * sizeof(LeafNode) +
+           blocks.size() * sizeof(LeafBlock);
 }
 
 void fillLeaves(const FrameGeometry& geometry, const Grid& grid, Executor& executor,
@@ -164,45 +209,49 @@ void fillLeaves(const FrameGeometry& geometry, const Grid& grid, Executor& execu
     });
 
     // Sizes first, so that every tree has its place whichever thread builds it.
-    std::vector<TreeSize> sizes(tiles * bins + 1);
+    std::vector<TreeSize> sizes(tiles + 1);
     leaves.tiles.resize(tiles);
     forEachTile(grid, executor, [&](int view, int tileInView, size_t tile) {
         const DepthBounds& bounds = grid.bounds(view, tileInView);
-        leaves.tiles[tile] = {bounds.near, bounds.far, BinMap(bounds, bins).scale};
-        for (size_t cell = tile * bins; cell < (tile + 1) * bins; ++cell) {
-            uint32_t count = 0;
-            for (uint32_t i = grid.heads[cell]; i < grid.heads[cell + 1]; ++i)
-                count += unhittable[grid.ids[i]] ? 0 : 1;
-            const uint32_t blocks = (count + kWidth - 1) / kWidth;
-            sizes[cell] = {blocks, nodesOver(blocks)};
+        leaves.tiles[tile] = {bounds.near, bounds.far};
+        thread_local std::vector<uint32_t> blocks;
+        blocks.clear();
+        for (int bin = 0; bin < bins; ++bin) {
+            size_t count = 0;
+            for (const uint32_t id : grid.list(view, tileInView, bin)) count += !unhittable[id];
+            if (count == 0) continue;
+            blocks.push_back(blocksOf(count));
+            sizes[tile].blocks += blocks.back();
         }
+        sizes[tile].nodes = nodesBelow(blocks);
     });
-    TreeSize sum;
+    TreeSize sum{0, (uint32_t) tiles};
     for (TreeSize& size : sizes) {
-        const TreeSize own = size;
-        size = sum;
+        const TreeSize own = std::exchange(size, sum);
         sum = {sum.blocks + own.blocks, sum.nodes + own.nodes};
     }
-    leaves.roots.resize(tiles * bins);
     leaves.nodes.resize(sum.nodes);
     leaves.blocks.resize(sum.blocks);
 
     forEachTile(grid, executor, [&](int view, int tileInView, size_t tile) {
         thread_local std::vector<LeafItem> items;
+        thread_local std::vector<std::span<LeafItem>> lists;
+        items.clear();
+        lists.clear();
+        items.reserve(grid.heads[grid.cell(view, tileInView, 0) + bins] -
+                      grid.heads[grid.cell(view, tileInView, 0)]);
         for (int bin = 0; bin < bins; ++bin) {
-            const size_t cell = tile * bins + bin;
-            const TreeSize place = sizes[cell];
-            const bool isBlock = sizes[cell + 1].blocks - place.blocks == 1;
-            leaves.roots[cell] = Leaves::kEmpty;
-            if (sizes[cell + 1].blocks == place.blocks) continue;
-            leaves.roots[cell] = isBlock ? place.blocks | Leaves::kBlock : place.nodes;
             const LeafItem cellBox = boxOfCell(grid, view, tileInView, bin);
-            items.clear();
-            for (uint32_t id : grid.list(view, tileInView, bin))
+            const size_t first = items.size();
+            for (const uint32_t id : grid.list(view, tileInView, bin))
                 if (!unhittable[id])
                     items.push_back(boxOfPart(geometry.triangles[id], id, cellBox));
-            TreeBuilder(geometry, leaves, place.blocks, place.nodes).build(items);
+            if (items.size() > first) lists.emplace_back(items.begin() + first, items.end());
         }
+        if (lists.empty())
+            leaves.tiles[tile] = {}; // nothing that a ray hits
+        else
+            TreeBuilder(geometry, leaves, sizes[tile]).overLists(leaves.nodes[tile], lists);
     });
 }
 

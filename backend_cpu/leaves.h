@@ -24,8 +24,8 @@ struct alignas(64) LeafBlock {
     }
 };
 
-/// Boxes of up to 16 parts of one cell's list, in steps of a 255th of the whole, rounded outwards.
-/// A part is a further node or a block; the nodes come first.
+/// Boxes of up to 16 parts of one tile's lists, in steps of a 254th of the whole or less, rounded
+/// outwards. A part is a further node or a block; the nodes come first.
 struct alignas(64) LeafNode {
     static constexpr int kChildren = 16;
     uint8_t bound[2][3][kChildren]; ///< low and high; axis; child
@@ -39,22 +39,13 @@ struct alignas(64) LeafNode {
 };
 static_assert(sizeof(LeafNode) == 128 && sizeof(LeafBlock) == 320);
 
-/// What tracing needs to know of a tile before it looks at its lists: BinMap's numbers beside the
-/// far end of the depth bounds. An empty tile has near > far.
-struct TileDepths {
-    float near, far, scale;
-};
-
 /// The id buffer as it is traced. Each cell's list stands in blocks of eight neighbouring
-/// triangles, under a tree of nodes whose boxes hold each triangle's part in the cell, so that a
-/// ray tests few of them. Triangles without area, which no ray hits, are left out.
+/// triangles, and each tile's lists under a tree of nodes, bin by bin at its top, whose boxes hold
+/// the triangles' parts in their cells; so a ray tests few of them. Triangles without area, which
+/// no ray hits, are left out.
 struct Leaves {
-    static constexpr uint32_t kEmpty = 0xffffffffu;
-    static constexpr uint32_t kBlock = 0x80000000u; ///< bit of a root that is a single block
-
-    std::vector<uint32_t> roots;   ///< per cell (Grid::cell)
-    std::vector<TileDepths> tiles; ///< in the numbering over all views
-    std::vector<LeafNode> nodes;
+    std::vector<DepthBounds> tiles; ///< in the numbering over all views; empty without triangles
+    std::vector<LeafNode> nodes;    ///< those of the tiles first, in the same numbering
     std::vector<LeafBlock> blocks;
 
     uint64_t bytes() const;

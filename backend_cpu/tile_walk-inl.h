@@ -181,7 +181,7 @@ HWY_INLINE void walkTiles(const TracedView& view, const ViewPart& part, const do
     const auto pass = [&](double end, double exitDepth) HWY_ATTR {
         const bool last = !(end < part.end);
         if (last) end = part.end, exitDepth = depthAtEnd;
-        const TileDepths& bounds = view.depths[tile];
+        const DepthBounds& bounds = view.depths[tile];
         const float near = (float) (std::min(depth, exitDepth) * (1.0 - 0x1p-21));
         const float far = (float) std::min(std::max(depth, exitDepth) * (1.0 + 0x1p-21), 0x1p100);
         if ((bounds.near <= far) & (near <= bounds.far))

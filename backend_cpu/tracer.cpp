@@ -59,37 +59,7 @@ private:
         ++counts_.tiles;
         query_.enter(visit.begin, visit.end, part.view, visit.tile);
         leafRay_.setPart(visit.begin, std::min(visit.end, query_.limit));
-        const int bins = tracer_.grid.settings.bins;
-        const TileDepths& bounds = view.depths[visit.tile];
-        const auto binOf = [&](float depth) { // BinMap, to the bit
-            const float bin = (depth - bounds.near) * bounds.scale;
-            return (int) std::min(std::max(bin, 0.0f), (float) (bins - 1));
-        };
-        const int low = binOf(visit.near), high = binOf(visit.far);
-        const uint32_t* const roots = view.roots + (size_t) visit.tile * bins;
-        const bool receding = part.dw >= 0.0;
-        const int step = receding ? 1 : -1;
-        int last = receding ? high : low;
-        double limit = query_.limit;
-        for (int bin = receding ? low : high;; bin += step) {
-            if (roots[bin] != Leaves::kEmpty) {
-                ++counts_.bins;
-                if (roots[bin] & Leaves::kBlock)
-                    testBlock(roots[bin] & ~Leaves::kBlock, visit);
-                else
-                    testNode(tracer_.leaves.nodes[roots[bin]], visit);
-                if (query_.limit < limit) { // bins beyond the hit are not needed any more
-                    limit = query_.limit;
-                    if (limit < visit.begin) return;
-                    // Like the depths of a visit, off by 2^-23 at most.
-                    const double depth = part.ow + limit * part.dw;
-                    const int reached = binOf((float) (depth * (1.0 + step * 0x1p-21)));
-                    last = receding ? std::min(last, reached) : std::max(last, reached);
-                    if ((last - bin) * step <= 0) return;
-                }
-            }
-            if (bin == last) return;
-        }
+        testNode(view.nodes[visit.tile], visit);
     }
 
     /// Most of the time of a test is that of its first miss in the caches.
@@ -290,7 +260,7 @@ LeafTracer::LeafTracer(const FrameGeometry& geometry, const Grid& grid, const Le
                          {view.s.data(), view.t.data()},
                          {tilesPerSlope(view.width, view.s), tilesPerSlope(view.height, view.t)},
                          leaves.tiles.data() + grid.firstTile[v],
-                         leaves.roots.data() + grid.cell((int) v, 0, 0)});
+                         leaves.nodes.data() + grid.firstTile[v]});
     }
     for (size_t lane = 0; lane < ViewTable::kLanes; ++lane) {
         const View& view = grid.views[std::min(lane, grid.views.size() - 1)];

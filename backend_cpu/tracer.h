@@ -13,8 +13,7 @@ namespace dirt {
 /// What the traversal of the leaves did.
 struct LeafCounts {
     uint64_t steps = 0;  ///< tiles looked at
-    uint64_t tiles = 0;  ///< tiles whose bins were visited
-    uint64_t bins = 0;   ///< lists visited
+    uint64_t tiles = 0;  ///< tiles whose lists were visited
     uint64_t nodes = 0;  ///< nodes tested
     uint64_t blocks = 0; ///< blocks of eight triangles tested
     uint64_t exact = 0;  ///< triangles that went on to core's exact decision
@@ -28,8 +27,8 @@ struct TracedView {
     int tiles[2];
     const float* borders[2];
     double tilesPerSlope[2];
-    const TileDepths* depths;
-    const uint32_t* roots; ///< of the view's first cell
+    const DepthBounds* depths;
+    const LeafNode* nodes; ///< of its tiles
 };
 
 /// What all views' cones are made of, one lane a view; lanes without a view are never met.

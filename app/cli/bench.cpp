@@ -26,10 +26,9 @@ struct BenchOptions {
 
 #ifdef DIRT_HAVE_EMBREE
 
-std::array<std::pair<const char*, uint64_t>, 7> namedCounts(const LeafCounts& c) {
+std::array<std::pair<const char*, uint64_t>, 6> namedCounts(const LeafCounts& c) {
     return {{{"steps", c.steps},
              {"tiles", c.tiles},
-             {"bins", c.bins},
              {"nodes", c.nodes},
              {"blocks", c.blocks},
              {"exact", c.exact},
