@@ -93,28 +93,20 @@ HWY_INLINE uint32_t childrenMet(const LeafRay& ray, const LeafNode& node,
     const hn::Rebind<int32_t, decltype(d)> di;
     const hn::Rebind<uint8_t, decltype(d)> d8;
     using V = hn::Vec<decltype(d)>;
-    V slope[3], nearPlane[3], farPlane[3];
-    const uint8_t *nearBound[3], *farBound[3];
-    for (int i = 0; i < 3; ++i) {
-        const float base = (node.origin[i] - ray.origin[i]) * ray.inverse[i];
-        slope[i] = hn::Set(d, node.step(i) * ray.inverse[i]);
-        nearPlane[i] = hn::Set(d, base - ray.pad[i]);
-        farPlane[i] = hn::Set(d, base + ray.pad[i]);
-        nearBound[i] = node.bound[ray.sign[i]][i];
-        farBound[i] = node.bound[1 - ray.sign[i]][i];
-    }
-    const V begin = hn::Set(d, ray.begin), end = hn::Set(d, ray.end);
-    const auto plane = [&](const uint8_t* bound, V slope, V base) HWY_ATTR {
-        const V q = hn::ConvertTo(d, hn::PromoteTo(di, hn::Load(d8, bound)));
-        return hn::Add(hn::Mul(q, slope), base);
-    };
     uint32_t met = 0;
     for (size_t lane = 0; lane < LeafNode::kChildren; lane += hn::Lanes(d)) {
-        V from = begin, to = end;
-        for (int i = 0; i < 3; ++i) {
-            from = hn::Max(from, plane(nearBound[i] + lane, slope[i], nearPlane[i]));
-            to = hn::Min(to, plane(farBound[i] + lane, slope[i], farPlane[i]));
-        }
+        V from = hn::Set(d, ray.begin), to = hn::Set(d, ray.end);
+        const auto cut = [&](int i) HWY_ATTR {
+            const float base = (node.origin[i] - ray.origin[i]) * ray.inverse[i];
+            const V slope = hn::Set(d, node.step(i) * ray.inverse[i]);
+            const auto plane = [&](const uint8_t* bound, float at) HWY_ATTR {
+                const V q = hn::ConvertTo(d, hn::PromoteTo(di, hn::Load(d8, bound + lane)));
+                return hn::Add(hn::Mul(q, slope), hn::Set(d, at));
+            };
+            from = hn::Max(from, plane(node.bound[ray.sign[i]][i], base - ray.pad[i]));
+            to = hn::Min(to, plane(node.bound[1 - ray.sign[i]][i], base + ray.pad[i]));
+        };
+        cut(0), cut(1), cut(2);
         hn::Store(from, d, entry + lane);
         uint8_t bits[8] = {};
         hn::StoreMaskBits(d, hn::Le(from, to), bits);
