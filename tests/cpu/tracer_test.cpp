@@ -4,6 +4,9 @@
 #include "backend_cpu/tracer.h"
 
 #include "backend_cpu/thread_pool.h"
+#include "core/io/load.h"
+#include "core/verify/ray_kinds.h"
+#include "tests/io/test_scenes.h"
 #include "tests/support/grid_rays.h"
 #include "tests/support/print.h"
 #include "tests/support/small_scenes.h"
@@ -123,7 +126,7 @@ ViewSet randomViews(Random& random) {
 TEST(LeafTracer, EqualsCoreOnNastyScenes) {
     Random random(61);
     uint64_t rays = 0, scalar = 0;
-    for (int round = 0; round < cases(120, 3000); ++round) {
+    for (int round = 0; round < cases(60, 3000); ++round) {
         const ViewSet set = randomViews(random);
         FrameGeometry geometry;
         geometry.triangles = smallScene(random, set);
@@ -185,6 +188,85 @@ TEST(LeafTracer, RaysThatAreNoneHitNothing) {
         }
     asked.add(structure, {{0, 0, 0}, {0, 0, 0}}, random);
     expectEqual(structure, asked, "");
+}
+
+/// A ray that meets a box in one corner alone, which is a vertex, passes two planes at once.
+TEST(LeafTracer, MeetsABoxInItsCorner) {
+    Random random(66);
+    int hits = 0;
+    for (int round = 0; round < cases(1000, 20000); ++round) {
+        const auto offset = [&] { return (float) random.range(1, 400) * 0x1p-12f; };
+        const glm::vec3 corner(offset(), offset(), 0.5f + offset());
+        FrameGeometry geometry;
+        geometry.triangles = {{corner, corner + glm::vec3(offset(), offset(), offset()),
+                               corner + glm::vec3(offset(), offset(), offset())}};
+        const ViewSet set = fullViews(1, 1);
+        const Structure structure(geometry, set.camera, set.settings);
+        Asked asked;
+        for (int i = 0; i < 8; ++i) {
+            // Up along one axis and down along another; the corner is hit exactly.
+            glm::vec3 d(offset(), -offset(), 0.0f);
+            for (int turn = random.below(3); turn > 0; --turn) d = {d.z, d.x, d.y};
+            if (random.chance(0.5)) d = -d;
+            asked.add(structure, {corner - (float) random.range(1, 9) * d, d}, random);
+            hits += asked.nearest.back().found();
+        }
+        expectEqual(structure, asked, hex(geometry.triangles[0]));
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(hits, 4000);
+}
+
+TEST(LeafTracer, LeavesRaysThatPassTheEyeToCore) {
+    FrameGeometry geometry;
+    geometry.triangles = {{{-1, -1, 0.5f}, {1, -1, 0.5f}, {0, 1, 0.5f}}};
+    const ViewSet set = fullViews(16, 4);
+    const Structure structure(geometry, set.camera, set.settings);
+    const LeafTracer tracer(geometry, structure.grid, structure.leaves);
+    const auto leftToCore = [&](const Ray& ray) {
+        Hit hit;
+        LeafCounts counts;
+        tracer.closest({&ray, 1}, {&hit, 1}, &counts);
+        return counts.scalar == 1;
+    };
+    EXPECT_TRUE(leftToCore({{1, 0x1p-27f, 0}, {-1, 0, 0}}));
+    EXPECT_FALSE(leftToCore({{1, 0x1p-24f, 0}, {-1, 0, 0}}));
+    EXPECT_FALSE(leftToCore({{0, 0, 0}, {-1, 0, 0}})) << "from the eye itself";
+    // Of numbers that the tests' bounds do not cover.
+    EXPECT_TRUE(leftToCore({{1, 1, 0}, {0x1p-41f, 0, 0}}));
+    EXPECT_TRUE(leftToCore({{0x1p21f, 1, 0}, {1, 0, 0}}));
+}
+
+/// Real geometry, through every kind of ray that verify casts.
+TEST(LeafTracer, EqualsCoreOnRealScenes) {
+    const std::filesystem::path sponza = scenesFolder() / "crytek-sponza" / "sponza.obj";
+    const std::filesystem::path conference = scenesFolder() / "conference" / "conference.obj";
+    int scenes = 0;
+    for (const auto& [file, eye] : {std::pair{sponza, glm::vec3(-1100, 250, -50)},
+                                    std::pair{conference, glm::vec3(900, 400, 500)}}) {
+        if (!std::filesystem::exists(file)) continue;
+        ++scenes;
+        const LoadedScene loaded = loadScene(file.string(), {});
+        Camera camera;
+        camera.eye = eye;
+        camera.target = glm::vec3(0, 200, 0);
+        const GridSettings settings;
+        const FrameGeometry geometry = makeFrameGeometry(loaded.scene.mesh, camera, settings.mode);
+        const Structure structure(geometry, camera, settings);
+        const RaySource source(geometry, camera, settings, 5);
+        Random random(67);
+        Asked asked;
+        for (uint32_t i = 0; i < (uint32_t) cases(1000, 20000); ++i) {
+            for (const RayKind kind : kRayKinds)
+                if (kind != RayKind::diffuse) asked.add(structure, source.make(kind, i), random);
+            const Hit seen = closestHit(structure.grid, geometry, source.primary(i));
+            if (!seen.found()) continue;
+            if (const auto ray = source.diffuse(i, seen)) asked.add(structure, *ray, random);
+        }
+        expectEqual(structure, asked, file.string());
+        if (HasFatalFailure()) return;
+    }
+    if (scenes == 0) GTEST_SKIP() << "no scenes in " << scenesFolder();
 }
 
 /// A triangle that holds the eye is in no tile.
