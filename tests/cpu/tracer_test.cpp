@@ -205,7 +205,7 @@ TEST(LeafTracer, MeetsABoxInItsCorner) {
         Asked asked;
         for (int i = 0; i < 8; ++i) {
             // Up along one axis and down along another; the corner is hit exactly.
-            glm::vec3 d(offset(), -offset(), 0.0f);
+            glm::vec3 d(16.0f * offset(), -16.0f * offset(), 0.0f);
             for (int turn = random.below(3); turn > 0; --turn) d = {d.z, d.x, d.y};
             if (random.chance(0.5)) d = -d;
             asked.add(structure, {corner - (float) random.range(1, 9) * d, d}, random);
