@@ -47,11 +47,13 @@ bool sameHit(const Hit& a, const Hit& b) {
 }
 
 bool lists(const Grid& grid, const Hit& hit) {
+    if (hit.view == grid.views.size())
+        return std::binary_search(grid.atEye.begin(), grid.atEye.end(), hit.primitive);
     for (int bin = 0; bin < grid.settings.bins; ++bin) {
         const auto list = grid.list((int) hit.view, (int) hit.tile, bin);
         if (std::binary_search(list.begin(), list.end(), hit.primitive)) return true;
     }
-    return std::binary_search(grid.atEye.begin(), grid.atEye.end(), hit.primitive);
+    return false;
 }
 
 /// A grid with its leaves.
