@@ -29,10 +29,11 @@ inline constexpr double kForever = std::numeric_limits<double>::infinity();
 /// with relative errors below 2^-50. What core decides at corners by the side of the line, this
 /// walk leaves to the guard band. At a border s that is crossed at t_s, the ray at t has
 /// |x - s w| = |D (t - t_s)|; between t_s and its computed value that is at most 2^-50 |N| <=
-/// 2^-49 S |o|, S the slope at the rim. So a point of the ray lies in the tile it is visited in
-/// but for 2^-49 S |o| / w. Where the ray keeps w >= 2^-26 |o|, that is 2^-23 S, and less than
-/// 1/1024 of a tile, which is 2^-22 S at 8192 tiles: within the 1/512 that tiles list. Its depth is
-/// likewise off by 2^-50 (|o| + w) <= 2^-23 w. Rays that come nearer to the eye are not walked.
+/// 2^-50 (1 + S) |o|, S the slope at the rim. So a point of the ray lies in the tile it is visited
+/// in but for a slope of 2^-49 max(1, S) |o| / w. Where the ray keeps w >= 2^-26 max(1, 1/S) |o|,
+/// that is 2^-23 S, and less than 1/1024 of a tile, which is 2^-22 S at 8192 tiles: within the
+/// 1/512 that tiles list. Its depth is likewise off by 2^-50 (|o| + w) <= 2^-23 w. Rays that come
+/// nearer to the eye are not walked.
 struct ViewPart {
     double o[2], d[2], ow, dw; ///< x and y; w
     double begin, end;         ///< rounded outwards
@@ -89,7 +90,9 @@ struct ViewParts {
             // A cone is left at once where the next one is entered, unless there is none.
             const auto met =
                 hn::And(hn::Le(begin, end), hn::Gt(end, hn::Load(tag, views.atLeast + lane)));
-            const auto near = hn::Lt(hn::Min(depth, last), hn::Set(tag, 0x1p-26 * away));
+            const auto near =
+                hn::Lt(hn::Min(depth, last),
+                       hn::Mul(hn::Load(tag, views.nearest + lane), hn::Set(tag, away)));
             alive |= maskBits(tag, met) << lane;
             close |= maskBits(tag, near) << lane;
         }

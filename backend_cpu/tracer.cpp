@@ -271,6 +271,8 @@ LeafTracer::LeafTracer(const FrameGeometry& geometry, const Grid& grid, const Le
         }
         viewTable.rim[0][0][lane] = view.s.front(), viewTable.rim[0][1][lane] = view.s.back();
         viewTable.rim[1][0][lane] = view.t.front(), viewTable.rim[1][1][lane] = view.t.back();
+        const double rim = std::min(view.s.back(), view.t.back());
+        viewTable.nearest[lane] = 0x1p-26 * std::max(1.0, 1.0 / rim);
         // In full mode a part of one point is the begin or end of a neighbour's.
         viewTable.atLeast[lane] = lane >= grid.views.size()         ? HUGE_VAL
                                   : settings.mode == ViewMode::full ? 0.0

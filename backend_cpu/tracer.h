@@ -38,6 +38,7 @@ struct ViewTable {
     double sign[3][kLanes] = {};          ///< with their signs
     alignas(64) double rim[2][2][kLanes]; ///< slopes: column or row, low and high
     alignas(64) double atLeast[kLanes];   ///< a part that ends there or before is left out
+    alignas(64) double nearest[kLanes];   ///< least w of a ray that is walked, by its distance
 };
 
 /// Traces rays through the leaves of a grid: the hits of core's traversal, to the bit.

@@ -128,7 +128,7 @@ ViewSet randomViews(Random& random) {
 TEST(LeafTracer, EqualsCoreOnNastyScenes) {
     Random random(61);
     uint64_t rays = 0, scalar = 0;
-    for (int round = 0; round < cases(60, 3000); ++round) {
+    for (int round = 0; round < cases(40, 3000); ++round) {
         const ViewSet set = randomViews(random);
         FrameGeometry geometry;
         geometry.triangles = smallScene(random, set);
