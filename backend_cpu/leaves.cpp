@@ -13,7 +13,7 @@
 namespace dirt {
 namespace {
 
-constexpr size_t kTilesPerPiece = 64;
+constexpr size_t kTilesPerPiece = 16;
 constexpr uint32_t kWidth = LeafBlock::kTriangles;
 
 /// Sizes of one tile's tree, without its root.
@@ -147,15 +147,25 @@ private:
         const int half = parts / 2;
         size_t split = 0;
         for (int i = 0; i < half; ++i) split += (size_t) sizes[i] * kWidth;
-        const int axis = widestAxis(items);
-        std::nth_element(items.begin(), items.begin() + split, items.end(),
-                         [axis](const LeafItem& a, const LeafItem& b) {
-                             const float x = a.low[axis] + a.high[axis];
-                             const float y = b.low[axis] + b.high[axis];
-                             return x < y || (x == y && a.id < b.id);
-                         });
+        partition(items, split, widestAxis(items));
         arrange(items.first(split), sizes, half);
         arrange(items.subspan(split), sizes + half, parts - half);
+    }
+
+    /// Brings the items with the lowest middles along an axis to the front, \p split of them.
+    void partition(List items, size_t split, int axis) {
+        // Selected are numbers, which order like the middles and then the places; half as long as
+        // to move the items about.
+        keys_.resize(items.size());
+        for (size_t i = 0; i < items.size(); ++i) {
+            const float middle = items[i].low[axis] + items[i].high[axis];
+            const uint32_t bits = std::bit_cast<uint32_t>(middle);
+            const uint32_t ordered = bits ^ (bits >> 31 ? 0xffffffffu : 0x80000000u);
+            keys_[i] = (uint64_t) ordered << 32 | i;
+        }
+        std::nth_element(keys_.begin(), keys_.begin() + split, keys_.end());
+        moved_.assign(items.begin(), items.end());
+        for (size_t i = 0; i < items.size(); ++i) items[i] = moved_[(uint32_t) keys_[i]];
     }
 
     void writeBlock(LeafBlock& block, List items) {
@@ -174,6 +184,8 @@ private:
     const FrameGeometry& geometry_;
     Leaves& leaves_;
     uint32_t nextBlock_, nextNode_;
+    std::vector<uint64_t> keys_;
+    std::vector<LeafItem> moved_;
 };
 
 /// Calls visit(view, tile in the view, tile over all views).
