@@ -17,26 +17,18 @@ glm::vec3 unscaled(const GridFrame& frame, glm::vec3 world) {
     return frame.directionToGrid(p);
 }
 
+/// An infinity or NaN where there is one.
 float largestCoordinate(const Mesh& mesh, const GridFrame& frame) {
     float largest = 0.0f;
     for (const Corners& corners : mesh.triangles)
         for (uint32_t corner : corners) {
             const glm::vec3 p = unscaled(frame, mesh.positions[corner]);
             for (int i = 0; i < 3; ++i) {
-                if (!std::isfinite(p[i]))
-                    throw InputError("the scene does not fit into float32 as seen from the eye");
+                if (!std::isfinite(p[i])) return p[i];
                 largest = std::max(largest, std::fabs(p[i]));
             }
         }
     return largest;
-}
-
-/// The power of two that brings \p largest into [1, 2), as far as float32 can hold it.
-float powerOfTwoScale(float largest) {
-    if (largest == 0.0f) return 1.0f;
-    int exponent = 0;
-    std::frexp(largest, &exponent); // largest = m 2^exponent, m in [0.5, 1)
-    return std::ldexp(1.0f, std::clamp(1 - exponent, -126, 126));
 }
 
 } // namespace
@@ -67,9 +59,8 @@ CameraBasis cameraBasis(const Camera& camera) {
     return {glm::vec3(right), glm::vec3(down), glm::vec3(forward)};
 }
 
-FrameGeometry makeFrameGeometry(const Mesh& mesh, const Camera& camera, ViewMode mode) {
-    FrameGeometry geometry;
-    GridFrame& frame = geometry.frame;
+GridFrame makeUnscaledFrame(const Camera& camera, ViewMode mode) {
+    GridFrame frame;
     frame.eye = camera.eye;
     frame.mode = mode;
     if (mode == ViewMode::single) {
@@ -78,7 +69,23 @@ FrameGeometry makeFrameGeometry(const Mesh& mesh, const Camera& camera, ViewMode
         frame.down = basis.down;
         frame.forward = basis.forward;
     }
-    frame.scale = powerOfTwoScale(largestCoordinate(mesh, frame));
+    return frame;
+}
+
+float scaleFor(float largest) {
+    if (!std::isfinite(largest))
+        throw InputError("the scene does not fit into float32 as seen from the eye");
+    if (largest == 0.0f) return 1.0f;
+    int exponent = 0;
+    std::frexp(largest, &exponent); // largest = m 2^exponent, m in [0.5, 1)
+    return std::ldexp(1.0f, std::clamp(1 - exponent, -126, 126));
+}
+
+FrameGeometry makeFrameGeometry(const Mesh& mesh, const Camera& camera, ViewMode mode) {
+    FrameGeometry geometry;
+    GridFrame& frame = geometry.frame;
+    frame = makeUnscaledFrame(camera, mode);
+    frame.scale = scaleFor(largestCoordinate(mesh, frame));
 
     geometry.triangles.reserve(mesh.triangles.size());
     for (const Corners& corners : mesh.triangles)

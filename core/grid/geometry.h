@@ -47,6 +47,14 @@ struct CameraBasis {
 };
 CameraBasis cameraBasis(const Camera& camera);
 
+/// The grid frame of \p camera with a scale of 1.
+GridFrame makeUnscaledFrame(const Camera& camera, ViewMode mode);
+
+/// The grid frame's scale where the largest |coordinate| is \p largest: the power of two that
+/// brings it into [1, 2), as far as float32 can hold it. Throws InputError where \p largest is
+/// infinite or NaN.
+float scaleFor(float largest);
+
 /// Brings a scene into the grid frame of \p camera.
 FrameGeometry makeFrameGeometry(const Mesh& mesh, const Camera& camera, ViewMode mode);
 
