@@ -4,6 +4,11 @@
 #include "core/frame/memory_plan.h"
 #include "core/frame/precision.h"
 #include "core/frame/requirements.h"
+#include "core/io/error.h"
+
+#ifdef DIRT_HAVE_GL
+#include "backend_gl/gl_context.h"
+#endif
 
 #include <algorithm>
 #include <cstdio>
@@ -214,6 +219,16 @@ void runInfo(const InfoOptions& options) {
     printRequirements(info);
 }
 
+void printDevices() {
+#ifdef DIRT_HAVE_GL
+    const std::vector<GlDevice> devices = listGlDevices();
+    for (size_t i = 0; i < devices.size(); ++i)
+        std::printf("%zu  %s\n", i, (devices[i].name + devices[i].problem).c_str());
+#else
+    throw CapabilityError("--devices: built without the OpenGL backend");
+#endif
+}
+
 } // namespace
 
 void addInfo(CLI::App& program, int&) {
@@ -222,6 +237,15 @@ void addInfo(CLI::App& program, int&) {
     const auto options = std::make_shared<InfoOptions>();
     addCommonOptions(*command, options->common);
     command->add_flag("--json", options->json, "print one JSON object on standard output");
+    command
+        ->add_flag_callback(
+            "--devices",
+            [] {
+                printDevices();
+                throw CLI::Success(); // no scene is needed
+            },
+            "list the devices of --backend gl, and nothing else")
+        ->trigger_on_parse();
     command->callback([options] { runInfo(*options); });
 }
 

@@ -10,6 +10,10 @@
 #include "backend_embree/embree_backend.h"
 #endif
 
+#ifdef DIRT_HAVE_GL
+#include "backend_gl/gl_backend.h"
+#endif
+
 #include <algorithm>
 #include <cstdio>
 
@@ -67,13 +71,28 @@ std::unique_ptr<Executor> makeExecutor(const CommonOptions& options) {
     return std::make_unique<ThreadPool>(options.threads);
 }
 
-std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& executor) {
-    if (options.backend == BackendKind::cpu) return std::make_unique<CpuBackend>(executor);
-#ifdef DIRT_HAVE_EMBREE
-    return std::make_unique<EmbreeBackend>(executor);
+std::unique_ptr<Backend> makeBackend(BackendKind kind, const CommonOptions& options,
+                                     Executor& executor) {
+    switch (kind) {
+    case BackendKind::gl:
+#ifdef DIRT_HAVE_GL
+        return std::make_unique<GlBackend>(GlOptions{.device = options.device});
 #else
-    throw CapabilityError("--backend embree: built without Embree");
+        throw CapabilityError("--backend gl: built without the OpenGL backend");
 #endif
+    case BackendKind::embree:
+#ifdef DIRT_HAVE_EMBREE
+        return std::make_unique<EmbreeBackend>(executor);
+#else
+        throw CapabilityError("--backend embree: built without Embree");
+#endif
+    default:
+        return std::make_unique<CpuBackend>(executor);
+    }
+}
+
+std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& executor) {
+    return makeBackend(options.backend, options, executor);
 }
 
 Input openInput(const CommonOptions& options, Executor& executor) {

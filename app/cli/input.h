@@ -26,6 +26,10 @@ std::unique_ptr<Executor> makeExecutor(const CommonOptions& options);
 /// The backend of \p options. Throws CapabilityError where this build lacks it.
 std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& executor);
 
+/// Another one, for commands with several.
+std::unique_ptr<Backend> makeBackend(BackendKind kind, const CommonOptions& options,
+                                     Executor& executor);
+
 /// Loads SCENE of \p options; a scene without a camera gets one, a bare OBJ also a light and a
 /// background. Prints the warnings on standard error unless --quiet. Throws InputError.
 Input openInput(const CommonOptions& options, Executor& executor);

@@ -15,11 +15,11 @@ constexpr int kMaxSize = 65536;
 
 void addStructureOptions(CLI::App& command, CommonOptions& o) {
     addChoice(command, "--backend", {"cpu", "gl", "embree"}, "what finds the hits (default: cpu)",
-              [&o](size_t i) {
-                  if (i == 1)
-                      throw CapabilityError("--backend gl: built without the OpenGL backend");
-                  o.backend = i == 0 ? BackendKind::cpu : BackendKind::embree;
-              });
+              [&o](size_t i) { o.backend = (BackendKind) i; });
+    addInteger(
+        command, "--device", 0, 63,
+        "of --backend gl, as dirt info --devices counts them (default: the first that works)",
+        [&o](int64_t n) { o.device = (int) n; });
     addChoice(command, "--view", {"full", "single"},
               "six views around the eye, or only the camera's (default: full)",
               [&o](size_t i) { o.view = i == 0 ? ViewMode::full : ViewMode::single; });

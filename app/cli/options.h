@@ -13,7 +13,7 @@
 namespace dirt {
 
 /// What finds the hits.
-enum class BackendKind { cpu, embree };
+enum class BackendKind { cpu, gl, embree };
 
 /// Image size in pixels.
 struct ImageSize {
@@ -25,6 +25,7 @@ struct ImageSize {
 struct CommonOptions {
     std::string scene; ///< a .scene file or a bare .obj
     BackendKind backend = BackendKind::cpu;
+    int device = -1; ///< of OpenGL; -1: the first that works
 
     std::optional<ViewMode> view;
     std::optional<ImageSize> size;

@@ -33,6 +33,9 @@ public:
     std::vector<PassTime> build(const FrameGeometry& geometry, const Camera& camera,
                                 const GridSettings& settings) final;
 
+    /// Whether its arithmetic is that of IEEE 754, so that its buffers equal core's to the bit.
+    virtual bool isIeee() const { return true; }
+
     // The passes of construction. Clear makes all buffers of the structure empty.
     virtual void clear(const Camera& camera, const GridSettings& settings) = 0;
     /// The triangle buffer, the first part of FillDepth: from the mesh, or as the host has it

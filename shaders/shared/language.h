@@ -23,6 +23,7 @@
 
 namespace dirt {
 using uint = uint32_t;
+using glm::ivec4;
 using glm::uvec4;
 using glm::vec2;
 using glm::vec3;

@@ -84,7 +84,9 @@ TEST(Errors, WhatIsMissingIsNamed) {
 }
 
 TEST(Errors, CapabilitiesThatAreMissingHaveTheirOwnStatus) {
-    expectLine(dirt({"info", "a.obj", "--backend", "gl"}), 3, {"--backend gl"});
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("a.obj", kTriangleObj);
+    expectLine(dirt({"info", scene, "--backend", "gl", "--device", "63"}), 3, {});
     expectLine(dirt({"info", "a.obj", "--precision", "fast"}), 3, {"--precision fast"});
 }
 

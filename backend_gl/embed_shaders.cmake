@@ -1,0 +1,11 @@
+# Writes the files of FOLDER into OUTPUT, a C++ source (see embedded_shaders.h).
+file(GLOB_RECURSE files RELATIVE ${FOLDER} ${FOLDER}/*)
+list(SORT files)
+set(source "#include \"backend_gl/embedded_shaders.h\"\n\nnamespace dirt {\nnamespace {\n\n")
+string(APPEND source "constexpr EmbeddedShader kFiles[] = {\n")
+foreach(name ${files})
+    file(READ ${FOLDER}/${name} text)
+    string(APPEND source "{\"${name}\", R\"shader(${text})shader\"},\n")
+endforeach()
+string(APPEND source "};\n\n} // namespace\n\nconst std::span<const EmbeddedShader> kEmbeddedShaders = kFiles;\n\n} // namespace dirt\n")
+file(WRITE ${OUTPUT} "${source}")

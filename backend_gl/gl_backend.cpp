@@ -1,0 +1,256 @@
+#include "backend_gl/gl_backend.h"
+
+#include "backend_gl/self_test.h"
+#include "core/grid/denormals.h"
+#include "core/io/error.h"
+#include "shaders/shared/grid_parameters.h"
+
+namespace dirt {
+namespace {
+
+[[noreturn]] void refuse(const char* pass) {
+    throw CapabilityError(std::string("--backend gl: ") + pass + " is not built yet");
+}
+
+GridParameters parametersOf(const Grid& grid) {
+    GridParameters parameters{};
+    for (size_t v = 0; v < grid.views.size(); ++v) {
+        const View& view = grid.views[v];
+        parameters.viewAxes[v] = {view.axisX, view.axisY, view.axisW, (int) view.signW};
+    }
+    parameters.columns = grid.views[0].columns;
+    parameters.rows = grid.views[0].rows;
+    parameters.bins = grid.settings.bins;
+    parameters.views = (int) grid.views.size();
+    return parameters;
+}
+
+/// (lo, hi) of each column, then of each row. All views of a frame have the same borders.
+std::vector<float> bordersOf(const View& view) {
+    std::vector<float> borders;
+    const auto add = [&borders](const std::vector<float>& lo, const std::vector<float>& hi) {
+        for (size_t i = 0; i < lo.size(); ++i) {
+            borders.push_back(flushed(lo[i]));
+            borders.push_back(flushed(hi[i]));
+        }
+    };
+    add(view.sLo, view.sHi);
+    add(view.tLo, view.tHi);
+    return borders;
+}
+
+/// Throws InputError, with a tile size that fits if there is one, where the driver has no textures
+/// for that many tiles and lists.
+void checkTextures(const Grid& grid) {
+    const View& view = grid.views[0];
+    const int views = (int) grid.views.size(), bins = grid.settings.bins;
+    const auto fits = [&](int tile) {
+        const int columns = (view.width + tile - 1) / tile, rows = (view.height + tile - 1) / tile;
+        return DepthBoundsTexture::fits(columns, rows, views) &&
+               IdBuffer::fits(columns, rows, views * bins);
+    };
+    int tile = grid.settings.tile;
+    if (fits(tile)) return;
+    while (tile <= 64 && !fits(tile)) ++tile;
+    throw InputError("--tile " + std::to_string(grid.settings.tile) + " --bins " +
+                     std::to_string(bins) + ": this OpenGL driver has no textures for that many " +
+                     "lists (" +
+                     (tile <= 64 ? "--tile " + std::to_string(tile) + " would fit"
+                                 : std::string("fewer bins need less")) +
+                     ")");
+}
+
+} // namespace
+
+GlBackend::GlBackend(const GlOptions& options)
+    : context_(options.device), programs_(options.shaders),
+      arithmeticFaults_(dirt::arithmeticFaults(programs_)), triangles_(programs_),
+      bounds_(programs_), ids_(programs_, options.poolNodes, options.segmentBits) {
+    context_.check();
+}
+
+GlBackend::~GlBackend() {
+    context_.makeCurrent(); // for what the members delete
+}
+
+std::string GlBackend::device() const {
+    if (arithmeticFaults_.empty()) return context_.name();
+    return context_.name() + ", not IEEE in the " + arithmeticFaults_ + " stage";
+}
+
+void GlBackend::reloadShaders() {
+    context_.makeCurrent();
+    programs_.reload();
+}
+
+/// Sets up the views of \p grid, with all buffers empty.
+void GlBackend::useGrid(Grid grid) {
+    grid_ = std::move(grid);
+    for (DepthPyramid& pyramid : grid_.pyramids) pyramid.levels.clear();
+    const GridParameters parameters = parametersOf(grid_);
+    const std::vector<float> borders = bordersOf(grid_.views[0]);
+    parameters_ = GlBuffer(sizeof parameters, &parameters);
+    borders_ = GlBuffer(borders.size() * sizeof(float), borders.data());
+    borderView_ = makeTexture(GL_TEXTURE_BUFFER);
+    glTextureBuffer(borderView_.id(), GL_RG32F, borders_.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, parameters_.id());
+    glBindTextureUnit(0, borderView_.id());
+    bounds_.clear(grid_);
+    ids_.clear(grid_);
+    atEye_.clear();
+}
+
+void GlBackend::clear(const Camera& camera, const GridSettings& settings) {
+    context_.makeCurrent();
+    Grid grid = makeEmptyGrid(camera, settings);
+    checkTextures(grid);
+    camera_ = camera;
+    useGrid(std::move(grid));
+    context_.check();
+}
+
+void GlBackend::transform(const Mesh& mesh, const Camera& camera, ViewMode mode) {
+    context_.makeCurrent();
+    triangles_.transform(mesh, camera, mode);
+    context_.check();
+}
+
+void GlBackend::setGeometry(const FrameGeometry& geometry) {
+    context_.makeCurrent();
+    triangles_.write(geometry);
+    context_.check();
+}
+
+void GlBackend::fillDepth() {
+    context_.makeCurrent();
+    bounds_.fill(triangles_, grid_.settings.mode);
+    glFinish(); // the time of a pass is its own
+    context_.check();
+}
+
+void GlBackend::fillDepthMipmap() {
+    context_.makeCurrent();
+    bounds_.buildPyramid();
+    glFinish();
+    context_.check();
+}
+
+void GlBackend::fillPrimitives() {
+    context_.makeCurrent();
+    atEye_ = triangles_.findAtEye();
+    const bool filled = ids_.fill(triangles_, bounds_, grid_.settings.mode);
+    context_.check();
+    if (!filled) refuseLists();
+}
+
+/// Names settings whose lists the pool can hold.
+void GlBackend::refuseLists() {
+    const ListCounts counts = ids_.counts();
+    const std::string problem =
+        "--tile " + std::to_string(grid_.settings.tile) + " --bins " +
+        std::to_string(grid_.settings.bins) + ": the lists need " + std::to_string(counts.entries) +
+        " entries, and this OpenGL driver's buffers hold " + std::to_string(ids_.mostNodes());
+    // A triangle is at most once in each bin of a tile.
+    if (counts.pairs <= ids_.mostNodes())
+        throw InputError(problem + " (--bins " + std::to_string(ids_.mostNodes() / counts.pairs) +
+                         " would fit)");
+    GridSettings settings = grid_.settings;
+    settings.bins = 1;
+    while (settings.tile < 64) {
+        settings.tile = std::min(settings.tile * 2, 64);
+        clear(camera_, settings);
+        fillDepth();
+        if (ids_.fill(triangles_, bounds_, settings.mode))
+            throw InputError(problem + " (--tile " + std::to_string(settings.tile) +
+                             " --bins 1 would fit)");
+    }
+    throw InputError(problem);
+}
+
+FrameGeometry GlBackend::readGeometry() const {
+    context_.makeCurrent();
+    FrameGeometry geometry = triangles_.read();
+    context_.check();
+    return geometry;
+}
+
+Grid GlBackend::readGrid() const {
+    context_.makeCurrent();
+    Grid grid = grid_;
+    bounds_.read(grid);
+    ids_.read(grid);
+    grid.atEye = atEye_;
+    context_.check();
+    return grid;
+}
+
+void GlBackend::writeGrid(const Grid& grid) {
+    context_.makeCurrent();
+    Grid empty;
+    empty.settings = grid.settings;
+    empty.views = grid.views;
+    empty.firstTile = grid.firstTile;
+    empty.pyramids.resize(grid.views.size());
+    checkTextures(empty);
+    useGrid(std::move(empty));
+    bounds_.write(grid);
+    ids_.write(grid);
+    atEye_ = grid.atEye;
+    context_.check();
+}
+
+std::vector<BufferSize> GlBackend::memory() const {
+    return {{"triangle buffer", triangles_.bytes()},
+            {"depth bounds", bounds_.bytesOfLevels(0, 1)},
+            {"depth pyramid", bounds_.bytesOfLevels(1, bounds_.levels())},
+            {"id buffer heads", ids_.headBytes()},
+            {"id buffer", ids_.nodeBytes()}};
+}
+
+void GlBackend::intersect(std::span<const Ray>, std::span<Hit>) {
+    refuse("Trace");
+}
+void GlBackend::occluded(std::span<const Ray>, std::span<const float>, std::span<uint8_t>) {
+    refuse("Visibility");
+}
+void GlBackend::beginFrame(const Scene&, const RenderSettings&, const Requirements&) {
+    refuse("DirectVisibility");
+}
+void GlBackend::beginSample() {
+    refuse("Clear of a sample");
+}
+void GlBackend::directVisibility(uint32_t) {
+    refuse("DirectVisibility");
+}
+void GlBackend::depthMask(int) {
+    refuse("DepthMask");
+}
+void GlBackend::rays(uint32_t, int) {
+    refuse("Rays");
+}
+void GlBackend::trace(int) {
+    refuse("Trace");
+}
+void GlBackend::fetch(int) {
+    refuse("Fetch");
+}
+void GlBackend::visibility(int) {
+    refuse("Visibility");
+}
+void GlBackend::shade(int) {
+    refuse("Shade");
+}
+void GlBackend::shift() {
+    refuse("Shade");
+}
+void GlBackend::resolve() {
+    refuse("Resolve");
+}
+PathBuffers GlBackend::readPaths() const {
+    return {};
+}
+void GlBackend::writePaths(const PathBuffers&) {
+    refuse("Trace");
+}
+
+} // namespace dirt

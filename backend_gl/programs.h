@@ -1,0 +1,44 @@
+#pragma once
+
+#include "backend_gl/program.h"
+#include "core/grid/geometry.h"
+
+#include <map>
+
+namespace dirt {
+
+/// Nodes of the id buffer lie in at most this many segments.
+inline constexpr int kMostSegments = 16;
+
+/// Values that the self-test of a stage's arithmetic computes with.
+inline constexpr int kSelfTestCases = 64;
+
+/// The programs of the passes. Variants differ by what the frame asks for, and by the driver's
+/// limits: \p segments of 2^\p segmentBits nodes each.
+ProgramSource transformSource();
+ProgramSource largestCoordinateSource();
+ProgramSource scaleTrianglesSource();
+ProgramSource trianglesAtEyeSource();
+ProgramSource fillDepthSource(ViewMode mode);
+ProgramSource fillDepthMipmapSource();
+ProgramSource fillPrimitivesSource(ViewMode mode, int segments, int segmentBits);
+ProgramSource selfTestRasterSource();
+ProgramSource selfTestComputeSource();
+
+/// Compiles programs when they are first asked for, and keeps them.
+class Programs {
+public:
+    explicit Programs(ShaderFiles shaders) : shaders_(std::move(shaders)) {}
+
+    /// Makes the program current and gives it.
+    const Program& use(const ProgramSource& source);
+
+    /// Forgets all, so that files that were edited take effect.
+    void reload() { programs_.clear(); }
+
+private:
+    ShaderFiles shaders_;
+    std::map<std::string, Program> programs_; ///< by name and defines
+};
+
+} // namespace dirt

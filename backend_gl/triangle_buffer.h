@@ -1,0 +1,42 @@
+#pragma once
+
+#include "backend_gl/programs.h"
+#include "core/grid/geometry.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dirt {
+
+/// The triangle buffer on the device: nine floats a triangle, in the grid frame.
+class TriangleBuffer {
+public:
+    explicit TriangleBuffer(Programs& programs);
+
+    /// Brings \p mesh into the grid frame, on the device. Throws InputError where it does not fit
+    /// into float32.
+    void transform(const Mesh& mesh, const Camera& camera, ViewMode mode);
+    void write(const FrameGeometry& geometry);
+    FrameGeometry read() const;
+
+    /// Draws all triangles; a primitive's number is its id, its corners are attribute 0.
+    void draw() const;
+
+    /// The ids of the triangles that hold the eye, in increasing order.
+    std::vector<uint32_t> findAtEye();
+
+    uint64_t bytes() const { return corners_.bytes(); }
+    uint32_t count() const { return (uint32_t) (corners_.bytes() / sizeof(Triangle)); }
+
+private:
+    float largestCoordinate();
+    template <class Dispatch>
+    void forEachPiece(const Dispatch& dispatch) const;
+
+    Programs& programs_;
+    GridFrame frame_;
+    GlBuffer corners_;
+    GlFramebuffer nothing_; ///< without a display, even drawing nothing needs somewhere to draw
+};
+
+} // namespace dirt

@@ -1,0 +1,131 @@
+// The overlap test of core/grid/coverage.h: the same operations in the same order, so that it gives
+// the same bits. The derivation of its margins is there.
+
+#include "include/arithmetic.glsl"
+#include "include/exact_sum.glsl"
+#include "include/views.glsl"
+
+/// A triangle made ready for one view.
+struct ViewTriangle {
+    vec3 vertices[3];   // in the view's frame (x, y, w)
+    vec3 edges[3];      // normals of the planes through the eye and ab, bc, ca, scaled
+    dvec3 normals[3];   // the same, unscaled: exact but for one rounding
+    double determinant; // a . (b × c), exact sign; zero: edge-on
+};
+
+/// The triangle's directions clipped at w >= 0, scaled.
+struct Directions {
+    vec3 at[4];
+    int count;
+};
+
+/// a × b; each component is the exact difference of two products, rounded once.
+dvec3 edgeNormal(vec3 af, vec3 bf) {
+    dvec3 a = dvec3(af), b = dvec3(bf);
+    precise dvec3 normal =
+        dvec3(a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y);
+    return normal;
+}
+
+/// The vertices' edge normals.
+void setNormals(inout ViewTriangle triangle) {
+    for (int i = 0; i < 3; ++i)
+        triangle.normals[i] = edgeNormal(triangle.vertices[i], triangle.vertices[(i + 1) % 3]);
+}
+
+double orientation(ViewTriangle triangle) {
+    for (int i = 0; i < 3; ++i)
+        if (triangle.normals[i] == dvec3(0.0LF)) return 0.0LF;
+    for (int i = 0; i < 3; ++i) {
+        precise dvec3 terms = triangle.normals[i] * dvec3(triangle.vertices[(i + 2) % 3]);
+        precise double value = terms.x + terms.y + terms.z;
+        precise double size = abs(terms.x) + abs(terms.y) + abs(terms.z);
+        if (abs(value) > double(1.0 / 67108864.0) * size) return value; // 2^-26
+    }
+    return tripleProductExact(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]);
+}
+
+void addDirection(inout Directions directions, dvec3 direction) {
+    if (direction == dvec3(0.0LF)) return; // the eye itself is no direction
+    directions.at[directions.count++] = scaledToUnit(direction);
+}
+
+/// False if no direction has w > 0.
+bool clipDirections(vec3 vertices[3], out Directions directions) {
+    directions.count = 0;
+    bool inFront = false;
+    for (int i = 0; i < 3; ++i) {
+        vec3 a = vertices[i], b = vertices[(i + 1) % 3];
+        inFront = inFront || a.z > 0.0;
+        if (a.z >= 0.0) addDirection(directions, dvec3(a));
+        if ((a.z < 0.0 && b.z > 0.0) || (a.z > 0.0 && b.z < 0.0)) {
+            double wa = double(abs(a.z)), wb = double(abs(b.z));
+            precise dvec2 crossing = dvec2(a.xy) * wb + dvec2(b.xy) * wa;
+            addDirection(directions, dvec3(crossing, 0.0LF));
+        }
+    }
+    return inFront;
+}
+
+/// False if nothing of the triangle has w > 0.
+bool setUpTriangle(vec3 vertices[3], out ViewTriangle triangle, out Directions directions) {
+    triangle.vertices = vertices;
+    if (!clipDirections(vertices, directions)) return false;
+    setNormals(triangle);
+    triangle.determinant = orientation(triangle);
+    for (int i = 0; i < 3; ++i)
+        triangle.edges[i] = scaledToUnit(triangle.determinant < 0.0LF ? -triangle.normals[i]
+                                                                      : triangle.normals[i]);
+    return true;
+}
+
+/// Whether all directions lie strictly beyond a border of the given axis: on its small side (side
+/// = -1) or on its large side (+1).
+bool allBeyond(Directions directions, int axis, float slope, float side) {
+    for (int i = 0; i < directions.count; ++i) {
+        vec3 d = directions.at[i];
+        precise float border = slope * d.z;
+        precise float distance = d[axis] - flushed(border);
+        if (side * flushed(distance) <= 0.0) return false;
+    }
+    return true;
+}
+
+/// First and last cell of an axis that the side planes do not separate: by bisection, as the
+/// predicates are monotone. \p offset is where the axis begins in the borders.
+ivec2 cellRange(Directions directions, int axis, int offset, int cells) {
+    int first = 0, end = cells;
+    while (first < end) {
+        int middle = (first + end) / 2;
+        if (allBeyond(directions, axis, texelFetch(borders, offset + middle).y, 1.0))
+            first = middle + 1;
+        else
+            end = middle;
+    }
+    int low = first;
+    first = 0;
+    end = cells;
+    while (first < end) {
+        int middle = (first + end) / 2;
+        if (allBeyond(directions, axis, texelFetch(borders, offset + middle).x, -1.0))
+            end = middle;
+        else
+            first = middle + 1;
+    }
+    return ivec2(low, first - 1);
+}
+
+/// Whether an edge plane of the triangle separates it from the guard-banded tile. (A denormal
+/// decides nothing here: the largest component of a normal is at least 1/2.)
+bool edgesSeparate(vec3 edges[3], bool edgeOn, vec2 s, vec2 t) {
+    for (int i = 0; i < 3; ++i) {
+        vec3 n = edges[i];
+        bool right = n.x > 0.0, below = n.y > 0.0;
+        // The tile's corner farthest inside.
+        precise float inside = (n.x * (right ? s.y : s.x) + n.y * (below ? t.y : t.x)) + n.z;
+        if (inside < 0.0) return true;
+        precise float outside = (n.x * (right ? s.x : s.y) + n.y * (below ? t.x : t.y)) + n.z;
+        if (edgeOn && outside > 0.0) return true;
+    }
+    return false;
+}

@@ -1,0 +1,56 @@
+// Every variant of every shader through Khronos' own compiler, which drivers are stricter and laxer
+// than in their own ways.
+
+#include "backend_gl/programs.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace dirt::test {
+namespace {
+
+std::vector<ProgramSource> allPrograms() {
+    std::vector<ProgramSource> all = {transformSource(),       largestCoordinateSource(),
+                                      scaleTrianglesSource(),  trianglesAtEyeSource(),
+                                      fillDepthMipmapSource(), selfTestRasterSource(),
+                                      selfTestComputeSource()};
+    for (ViewMode mode : {ViewMode::full, ViewMode::single}) {
+        all.push_back(fillDepthSource(mode));
+        for (int segments = 1; segments <= kMostSegments; ++segments)
+            all.push_back(fillPrimitivesSource(mode, segments, 24));
+    }
+    return all;
+}
+
+TEST(Shaders, CompileInEveryVariant) {
+    if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "glslang-tools is not installed";
+    const TemporaryFolder folder;
+    for (const ProgramSource& program : allPrograms()) {
+        std::string command = "glslangValidator -l"; // compile and link
+        for (const std::string& file : program.files)
+            command += " " + folder.write(file, ShaderFiles().compose(file, program.defines).text);
+        const std::string log = folder / "log";
+        EXPECT_EQ(std::system((command + " > " + log).c_str()), 0) << program.name << "\n"
+                                                                   << readFile(log);
+    }
+}
+
+/// No file is left over that no program uses.
+TEST(Shaders, AreAllUsed) {
+    std::vector<std::string> used;
+    for (const ProgramSource& program : allPrograms())
+        for (const std::string& file : program.files)
+            for (const std::string& part : ShaderFiles().compose(file, program.defines).files)
+                used.push_back(part);
+    for (const std::string& file : ShaderFiles::builtIn()) {
+        if (file.starts_with("shared/")) continue;
+        EXPECT_NE(std::find(used.begin(), used.end(), file), used.end()) << file;
+    }
+}
+
+} // namespace
+} // namespace dirt::test
