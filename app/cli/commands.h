@@ -14,6 +14,9 @@ void addRender(CLI::App& program, int& status);
 /// `dirt verify SCENE`: adjudicates rays exactly, beside Embree.
 void addVerify(CLI::App& program, int& status);
 
+/// `dirt check SCENE`: two backends against each other, buffer by buffer.
+void addCheck(CLI::App& program, int& status);
+
 /// `dirt compare A B`: figures of how much two images differ.
 void addCompare(CLI::App& program, int& status);
 

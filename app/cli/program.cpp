@@ -50,6 +50,7 @@ int run(int argc, const char* const* argv) {
     int status = kDone;
     addRender(program, status);
     addVerify(program, status);
+    addCheck(program, status);
     addCompare(program, status);
     addBench(program, status);
     addInfo(program, status);

@@ -1,5 +1,7 @@
 #include "app/cli/verify_report.h"
 
+#include "app/cli/structure_options.h"
+
 #include <algorithm>
 
 namespace dirt {
@@ -20,34 +22,14 @@ const char* describe(Grade grade) {
     return "";
 }
 
-std::string vectorOption(const char* name, glm::vec3 v) {
-    char text[128];
-    std::snprintf(text, sizeof text, " %s %.9g,%.9g,%.9g", name, v.x, v.y, v.z);
-    return text;
-}
-
 /// The command that casts the same rays, with everything said that shapes them.
 std::string commandFor(RayKind kind, const std::string& scene, const Input& input,
                        const VerifySettings& settings) {
-    const GridSettings& grid = input.settings.grid;
-    const Camera& camera = input.scene.camera;
-    const auto option = [](const char* name, long long value) {
-        return std::string(" ") + name + " " + std::to_string(value);
-    };
     std::string command = "dirt verify " + scene;
     command += " --kinds " + std::string(rayKindName(kind));
-    command += option("--rays", settings.rays) + option("--seed", settings.seed);
-    command += grid.mode == ViewMode::full ? " --view full" : " --view single";
-    command += " --size " + std::to_string(grid.width) + "x" + std::to_string(grid.height);
-    if (grid.viewSize > 0) command += option("--view-size", grid.viewSize);
-    command += option("--tile", grid.tile) + option("--bins", grid.bins);
-    if (grid.maxMip >= 0) command += option("--max-mip", grid.maxMip);
-    if (grid.traversal == Traversal::linear) command += " --traversal linear";
-    command += vectorOption("--eye", camera.eye) + vectorOption("--target", camera.target) +
-               vectorOption("--up", camera.up);
-    char fov[32];
-    std::snprintf(fov, sizeof fov, " --fov %.9g", camera.verticalFov);
-    return command + fov;
+    command += " --rays " + std::to_string(settings.rays);
+    command += " --seed " + std::to_string(settings.seed);
+    return command + structureOptions(input);
 }
 
 Json countsJson(const BackendReport& backend) {

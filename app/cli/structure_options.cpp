@@ -1,0 +1,36 @@
+#include "app/cli/structure_options.h"
+
+#include <cstdio>
+
+namespace dirt {
+
+namespace {
+
+std::string vectorOption(const char* name, glm::vec3 v) {
+    char text[128];
+    std::snprintf(text, sizeof text, " %s %.9g,%.9g,%.9g", name, v.x, v.y, v.z);
+    return text;
+}
+
+} // namespace
+
+std::string structureOptions(const Input& input) {
+    const GridSettings& grid = input.settings.grid;
+    const Camera& camera = input.scene.camera;
+    const auto option = [](const char* name, int value) {
+        return std::string(" ") + name + " " + std::to_string(value);
+    };
+    std::string options = grid.mode == ViewMode::full ? " --view full" : " --view single";
+    options += " --size " + std::to_string(grid.width) + "x" + std::to_string(grid.height);
+    if (grid.viewSize > 0) options += option("--view-size", grid.viewSize);
+    options += option("--tile", grid.tile) + option("--bins", grid.bins);
+    if (grid.maxMip >= 0) options += option("--max-mip", grid.maxMip);
+    if (grid.traversal == Traversal::linear) options += " --traversal linear";
+    options += vectorOption("--eye", camera.eye) + vectorOption("--target", camera.target) +
+               vectorOption("--up", camera.up);
+    char fov[32];
+    std::snprintf(fov, sizeof fov, " --fov %.9g", camera.verticalFov);
+    return options + fov;
+}
+
+} // namespace dirt

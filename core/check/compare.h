@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/check/check.h"
+
+namespace dirt {
+
+// Comparisons of one buffer each, which set the counts and examples of a row. \p ulps is what
+// depths may be off; 0: nothing.
+
+/// Triangle buffers, coordinate by coordinate.
+void compareTriangles(const FrameGeometry& source, const FrameGeometry& tested, CheckRow& row);
+
+/// Depth bounds at one level of the pyramids of all views.
+void compareLevel(const Grid& source, const Grid& tested, size_t level, int ulps, CheckRow& row);
+
+/// Lists as sets, entry by entry. \p geometry is what both were built from.
+void compareLists(const FrameGeometry& geometry, const Grid& source, const Grid& tested, int ulps,
+                  CheckRow& row);
+
+/// The triangles at the eye.
+void compareAtEye(const Grid& source, const Grid& tested, CheckRow& row);
+
+} // namespace dirt
