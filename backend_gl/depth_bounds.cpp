@@ -51,12 +51,12 @@ void DepthBoundsTexture::clear(const Grid& grid) {
         glClearTexImage(texture(), level, GL_RG, GL_FLOAT, empty);
 }
 
-void DepthBoundsTexture::fill(const TriangleBuffer& triangles, ViewMode mode) {
+void DepthBoundsTexture::fill(const TriangleBuffer& triangles, ViewMode mode, Proposal proposal) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, columns_, rows_);
     glEnable(GL_BLEND);
     glBlendEquation(GL_MAX);
-    programs_.use(fillDepthSource(mode));
+    programs_.use(fillDepthSource(mode, proposal));
     triangles.draw();
     glDisable(GL_BLEND);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

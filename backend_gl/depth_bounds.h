@@ -20,7 +20,7 @@ public:
     void clear(const Grid& grid);
 
     /// FillDepth, for the views that are set up.
-    void fill(const TriangleBuffer& triangles, ViewMode mode);
+    void fill(const TriangleBuffer& triangles, ViewMode mode, Proposal proposal);
     /// FillDepthMipmap: the levels above the tiles'.
     void buildPyramid();
 

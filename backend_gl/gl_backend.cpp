@@ -22,6 +22,9 @@ GridParameters parametersOf(const Grid& grid) {
     parameters.rows = grid.views[0].rows;
     parameters.bins = grid.settings.bins;
     parameters.views = (int) grid.views.size();
+    const View& view = grid.views[0];
+    const glm::vec2 size = glm::vec2(view.width, view.height) * (0.5f / (float) grid.settings.tile);
+    parameters.tilesOfSlope = {size / glm::vec2(view.s.back(), view.t.back()), size};
     return parameters;
 }
 
@@ -37,6 +40,17 @@ std::vector<float> bordersOf(const View& view) {
     add(view.sLo, view.sHi);
     add(view.tLo, view.tHi);
     return borders;
+}
+
+/// Pixels that a primitive touches, enlarged by 1/4 of a pixel, where the driver can. The passes
+/// that draw draw nothing else.
+bool enableConservativeRaster() {
+    if (!epoxy_has_gl_extension("GL_NV_conservative_raster") ||
+        !epoxy_has_gl_extension("GL_NV_conservative_raster_dilate"))
+        return false;
+    glEnable(GL_CONSERVATIVE_RASTERIZATION_NV);
+    glConservativeRasterParameterfNV(GL_CONSERVATIVE_RASTER_DILATE_NV, 0.25f);
+    return true;
 }
 
 /// Throws InputError, with a tile size that fits if there is one, where the driver has no textures
@@ -64,6 +78,8 @@ void checkTextures(const Grid& grid) {
 
 GlBackend::GlBackend(const GlOptions& options)
     : context_(options.device), programs_(options.shaders),
+      proposal_(options.proposal.value_or(enableConservativeRaster() ? Proposal::triangles
+                                                                     : Proposal::rectangles)),
       arithmeticFaults_(dirt::arithmeticFaults(programs_)), triangles_(programs_),
       bounds_(programs_), ids_(programs_, options.poolNodes, options.segmentBits) {
     context_.check();
@@ -123,7 +139,7 @@ void GlBackend::setGeometry(const FrameGeometry& geometry) {
 
 void GlBackend::fillDepth() {
     context_.makeCurrent();
-    bounds_.fill(triangles_, grid_.settings.mode);
+    bounds_.fill(triangles_, grid_.settings.mode, proposal_);
     glFinish(); // the time of a pass is its own
     context_.check();
 }
@@ -138,7 +154,7 @@ void GlBackend::fillDepthMipmap() {
 void GlBackend::fillPrimitives() {
     context_.makeCurrent();
     atEye_ = triangles_.findAtEye();
-    const bool filled = ids_.fill(triangles_, bounds_, grid_.settings.mode);
+    const bool filled = ids_.fill(triangles_, bounds_, grid_.settings.mode, proposal_);
     context_.check();
     if (!filled) refuseLists();
 }
@@ -160,7 +176,7 @@ void GlBackend::refuseLists() {
         settings.tile = std::min(settings.tile * 2, 64);
         clear(camera_, settings);
         fillDepth();
-        if (ids_.fill(triangles_, bounds_, settings.mode))
+        if (ids_.fill(triangles_, bounds_, settings.mode, proposal_))
             throw InputError(problem + " (--tile " + std::to_string(settings.tile) +
                              " --bins 1 would fit)");
     }

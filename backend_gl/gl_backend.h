@@ -7,6 +7,8 @@
 #include "backend_gl/triangle_buffer.h"
 #include "core/frame/backend.h"
 
+#include <optional>
+
 namespace dirt {
 
 /// What a GlBackend starts with.
@@ -14,7 +16,9 @@ struct GlOptions {
     int device = -1;              ///< a number of listGlDevices(); -1: the first that works
     ShaderFiles shaders = {};     ///< built in, unless DIRT_SHADERS names a folder
     uint32_t poolNodes = 1 << 20; ///< of the id buffer; it grows where that is too few
-    int segmentBits = 0;          ///< nodes of one segment of the pool; 0: the driver's limit
+    /// Default: triangles where the driver has GL_NV_conservative_raster and _dilate.
+    std::optional<Proposal> proposal = {};
+    int segmentBits = 0; ///< nodes of one segment of the pool; 0: the driver's limit
 };
 
 /// The structure built in GLSL through the rasterization pipeline. To be used by one thread at a
@@ -75,6 +79,7 @@ private:
 
     GlContext context_;
     Programs programs_;
+    Proposal proposal_;
     std::string arithmeticFaults_;
     TriangleBuffer triangles_;
     DepthBoundsTexture bounds_;

@@ -71,10 +71,10 @@ void IdBuffer::setCapacity(uint64_t nodes) {
 }
 
 /// Runs the pass over the pool as it is, and sets counts_.
-void IdBuffer::count(const TriangleBuffer& triangles, ViewMode mode) {
+void IdBuffer::count(const TriangleBuffer& triangles, ViewMode mode, Proposal proposal) {
     const uint32_t zero[3] = {};
     counters_.write(0, sizeof zero, zero);
-    programs_.use(fillPrimitivesSource(mode, segmentLimit_, segmentBits_));
+    programs_.use(fillPrimitivesSource(mode, proposal, segmentLimit_, segmentBits_));
     glUniform1ui(0, capacity_);
     // Segments that the pool has not got are not written, but something has to be bound.
     for (int i = 0; i < segmentLimit_; ++i)
@@ -90,18 +90,18 @@ void IdBuffer::count(const TriangleBuffer& triangles, ViewMode mode) {
 }
 
 bool IdBuffer::fill(const TriangleBuffer& triangles, const DepthBoundsTexture& bounds,
-                    ViewMode mode) {
+                    ViewMode mode, Proposal proposal) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, columns_, rows_);
     glBindTextureUnit(1, bounds.texture());
     glBindImageTexture(0, heads_.id(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
     glBindImageTexture(1, counterView_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
-    count(triangles, mode);
+    count(triangles, mode, proposal);
     if (counts_.entries > capacity_ && counts_.entries <= mostNodes_) {
         // An eighth more, so that what moves a little fits the next time.
         setCapacity(counts_.entries + counts_.entries / 8);
         clearHeads();
-        count(triangles, mode);
+        count(triangles, mode, proposal);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     return counts_.entries <= capacity_;

@@ -31,7 +31,7 @@ public:
     /// FillPrimitives. False, with nothing usable in the lists, where the pool cannot become as
     /// large as counts() then says.
     [[nodiscard]] bool fill(const TriangleBuffer& triangles, const DepthBoundsTexture& bounds,
-                            ViewMode mode);
+                            ViewMode mode, Proposal proposal);
 
     void read(Grid& grid) const;
     void write(const Grid& grid);
@@ -48,7 +48,7 @@ private:
     };
     void clearHeads() const;
     void setCapacity(uint64_t nodes);
-    void count(const TriangleBuffer& triangles, ViewMode mode);
+    void count(const TriangleBuffer& triangles, ViewMode mode, Proposal proposal);
 
     Programs& programs_;
     int segmentBits_;

@@ -7,6 +7,10 @@ std::string views(ViewMode mode) {
     return std::string("DIRT_VIEWS ") + (mode == ViewMode::full ? "6" : "1");
 }
 
+std::string triangles(Proposal proposal) {
+    return std::string("DIRT_TRIANGLES ") + (proposal == Proposal::triangles ? "1" : "0");
+}
+
 std::string cases() {
     return "DIRT_CASES " + std::to_string(kSelfTestCases);
 }
@@ -29,10 +33,10 @@ ProgramSource trianglesAtEyeSource() {
     return {"triangles at the eye", {"triangles_at_eye.comp"}, {}, {}};
 }
 
-ProgramSource fillDepthSource(ViewMode mode) {
+ProgramSource fillDepthSource(ViewMode mode, Proposal proposal) {
     return {"FillDepth",
             {"triangles.vert", "propose_tiles.geom", "fill_depth.frag"},
-            {views(mode)},
+            {views(mode), triangles(proposal)},
             {}};
 }
 
@@ -40,10 +44,11 @@ ProgramSource fillDepthMipmapSource() {
     return {"FillDepthMipmap", {"fill_depth_mipmap.comp"}, {}, {}};
 }
 
-ProgramSource fillPrimitivesSource(ViewMode mode, int segments, int segmentBits) {
+ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segments,
+                                   int segmentBits) {
     return {"FillPrimitives",
             {"triangles.vert", "propose_tiles.geom", "fill_primitives.frag"},
-            {views(mode), "DIRT_SEGMENTS " + std::to_string(segments),
+            {views(mode), triangles(proposal), "DIRT_SEGMENTS " + std::to_string(segments),
              "DIRT_SEGMENT_BITS " + std::to_string(segmentBits)},
             {}};
 }

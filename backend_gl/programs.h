@@ -13,15 +13,19 @@ inline constexpr int kMostSegments = 16;
 /// Values that the self-test of a stage's arithmetic computes with.
 inline constexpr int kSelfTestCases = 64;
 
+/// What propose_tiles.geom draws: rectangles of tiles, or large triangles themselves, which only
+/// conservative rasterization makes all their tiles of.
+enum class Proposal { rectangles, triangles };
+
 /// The programs of the passes. Variants differ by what the frame asks for, and by the driver's
 /// limits: \p segments of 2^\p segmentBits nodes each.
 ProgramSource transformSource();
 ProgramSource largestCoordinateSource();
 ProgramSource scaleTrianglesSource();
 ProgramSource trianglesAtEyeSource();
-ProgramSource fillDepthSource(ViewMode mode);
+ProgramSource fillDepthSource(ViewMode mode, Proposal proposal);
 ProgramSource fillDepthMipmapSource();
-ProgramSource fillPrimitivesSource(ViewMode mode, int segments, int segmentBits);
+ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segments, int segmentBits);
 ProgramSource selfTestRasterSource();
 ProgramSource selfTestComputeSource();
 

@@ -37,7 +37,7 @@ std::array<uint32_t, 8> expected(const float* v) {
     const auto bits = [](float x) { return std::bit_cast<uint32_t>(x); };
     const auto low = [](double x) { return (uint32_t) std::bit_cast<uint64_t>(x); };
     const auto high = [](double x) { return (uint32_t) (std::bit_cast<uint64_t>(x) >> 32); };
-    return {bits(product), bits(difference), bits(sum),  bits(rounded),
+    return {bits(product), bits(difference), bits(sum),     bits(rounded),
             low(exact),    high(exact),      low(quotient), high(quotient)};
 }
 

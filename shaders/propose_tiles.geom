@@ -1,6 +1,7 @@
 #version 450 core
 // FillDepth and FillPrimitives: proposes tiles that may list a triangle, to each view at once. The
-// fragment shader decides. What is drawn covers the tiles that the side planes do not separate.
+// fragment shader decides. What is drawn covers the rectangle of tiles that the side planes do not
+// separate; with DIRT_TRIANGLES 1, for conservative rasterization, large triangles themselves.
 
 #include "include/coverage.glsl"
 
@@ -15,6 +16,7 @@ flat out uvec2 determinantBits;
 flat out uint primitive;
 flat out int view;
 
+/// \p place: column and row, with fractions.
 void emit(ViewTriangle triangle, vec2 place) {
     vertexA = triangle.vertices[0];
     vertexB = triangle.vertices[1];
@@ -26,9 +28,32 @@ void emit(ViewTriangle triangle, vec2 place) {
     primitive = uint(gl_PrimitiveIDIn);
     view = gl_InvocationID;
     gl_Layer = gl_InvocationID;
-    gl_Position = vec4(place, 0.0, 1.0);
+    gl_Position = vec4(place / vec2(grid.columns, grid.rows) * 2.0 - 1.0, 0.0, 1.0);
     EmitVertex();
 }
+
+#if DIRT_TRIANGLES
+/// Emits a triangle that is rather smaller than its rectangle of tiles, as far as that is safe:
+/// places are off by less than 4 columns * 2^-21 <= 1/64 of a tile, by half a sub-pixel more after
+/// snapping, and the guard band reaches 1/128 further, which a dilation by 1/4 covers all. What is
+/// so thin that snapping may leave nothing of it is not emitted.
+bool emitTriangle(ViewTriangle triangle, vec2 extent) {
+    if (extent.x < 4.0 || extent.y < 4.0) return false;
+    vec2 place[3];
+    for (int i = 0; i < 3; ++i) {
+        vec3 v = triangle.vertices[i];
+        if (v.z <= 0.0) return false;
+        place[i] = v.xy / v.z * grid.tilesOfSlope.xy + grid.tilesOfSlope.zw;
+        if (any(greaterThan(abs(place[i]), 4.0 * vec2(grid.columns, grid.rows)))) return false;
+    }
+    vec2 ab = place[1] - place[0], ac = place[2] - place[0];
+    float width = abs(ab.x * ac.y - ab.y * ac.x) / (length(ab) + length(ac) + length(ab - ac));
+    if (!(width > 0.125)) return false;
+    for (int i = 0; i < 3; ++i) emit(triangle, place[i]);
+    EndPrimitive();
+    return true;
+}
+#endif
 
 void main() {
     vec3 vertices[3];
@@ -41,10 +66,11 @@ void main() {
     ivec2 rows = cellRange(directions, 1, grid.columns, grid.rows);
     if (rows.x > rows.y) return;
 
-    // Corners of the rectangle of tiles in [-1, 1]; the rasterizer looks at the tiles' centres.
-    vec2 size = vec2(float(grid.columns), float(grid.rows));
-    vec2 low = vec2(float(columns.x), float(rows.x)) / size * 2.0 - 1.0;
-    vec2 high = vec2(float(columns.y + 1), float(rows.y + 1)) / size * 2.0 - 1.0;
+    // The rasterizer looks at the tiles' centres.
+    vec2 low = vec2(columns.x, rows.x), high = vec2(columns.y + 1, rows.y + 1);
+#if DIRT_TRIANGLES
+    if (emitTriangle(triangle, high - low)) return;
+#endif
     emit(triangle, low);
     emit(triangle, vec2(high.x, low.y));
     emit(triangle, vec2(low.x, high.y));

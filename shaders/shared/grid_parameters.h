@@ -12,6 +12,7 @@ struct GridParameters {
     int rows;
     int bins;
     int views;
+    vec4 tilesOfSlope; // factors and offsets from slopes (x/w, y/w) to columns and rows
 };
 
 DIRT_SHARED_END
@@ -21,7 +22,8 @@ DIRT_SHARED_END
 #include <cstddef>
 
 namespace dirt {
-static_assert(sizeof(GridParameters) == 112 && offsetof(GridParameters, columns) == 96);
+static_assert(sizeof(GridParameters) == 128 && offsetof(GridParameters, columns) == 96 &&
+              offsetof(GridParameters, tilesOfSlope) == 112);
 } // namespace dirt
 
 #endif

@@ -27,6 +27,7 @@ using glm::ivec4;
 using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
+using glm::vec4;
 using std::floor;
 using std::sqrt;
 inline uint floatBitsToUint(float x) {

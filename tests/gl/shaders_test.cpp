@@ -17,11 +17,12 @@ std::vector<ProgramSource> allPrograms() {
                                       scaleTrianglesSource(),  trianglesAtEyeSource(),
                                       fillDepthMipmapSource(), selfTestRasterSource(),
                                       selfTestComputeSource()};
-    for (ViewMode mode : {ViewMode::full, ViewMode::single}) {
-        all.push_back(fillDepthSource(mode));
-        for (int segments = 1; segments <= kMostSegments; ++segments)
-            all.push_back(fillPrimitivesSource(mode, segments, 24));
-    }
+    for (ViewMode mode : {ViewMode::full, ViewMode::single})
+        for (Proposal proposal : {Proposal::rectangles, Proposal::triangles}) {
+            all.push_back(fillDepthSource(mode, proposal));
+            for (int segments : {1, 2, 7, 8, kMostSegments})
+                all.push_back(fillPrimitivesSource(mode, proposal, segments, 24));
+        }
     return all;
 }
 

@@ -1,0 +1,199 @@
+// dirt check: the OpenGL backend against the CPU's on a whole scene, and whether the check would
+// notice a fault of any pass.
+
+#include "backend_cpu/cpu_backend.h"
+#include "backend_gl/gl_backend.h"
+#include "core/check/check.h"
+#include "core/io/load.h"
+#include "scenes/generate/generate.h"
+#include "tests/support/small_scenes.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+
+namespace dirt::test {
+namespace {
+
+const Scene& cornell() {
+    static const Scene scene = [] {
+        const TemporaryFolder folder;
+        generateScene("cornell", 36, folder.path());
+        return loadScene(folder / "cornell.scene", {}).scene;
+    }();
+    return scene;
+}
+
+std::string text(const CheckRow& row) {
+    std::string text = row.pass + ", " + row.buffer + ", " + row.tested + " on " + row.source +
+                       ": " + std::to_string(row.different) + " of " +
+                       std::to_string(row.compared) + " differ";
+    for (const std::string& example : row.examples) text += "\n  " + example;
+    return text;
+}
+
+TEST(Check, FindsNoDifferenceOnCornell) {
+    SerialExecutor executor;
+    CpuBackend cpu(executor);
+    GlOptions options;
+    options.poolNodes = 1000; // and has to grow
+    GlBackend gl(options);
+    const auto isLarge = [](const GridSettings& s) {
+        const int64_t side = (s.height + s.tile - 1) / s.tile;
+        return 6 * side * side * s.bins > 2'000'000 && s.mode == ViewMode::full;
+    };
+    for (int tile : {1, 4, 16, 64})
+        for (int bins : {1, 16, 44})
+            for (ViewMode mode : {ViewMode::full, ViewMode::single})
+                for (const auto& [width, height] : {std::pair(512, 512), {1024, 512}, {333, 217}}) {
+                    GridSettings settings;
+                    settings.mode = mode;
+                    settings.width = width;
+                    settings.height = height;
+                    settings.tile = tile;
+                    settings.bins = bins;
+                    if (isLarge(settings) && !fullTests()) continue;
+                    for (const CheckRow& row :
+                         checkConstruction(cornell().mesh, cornell().camera, settings, cpu, gl)) {
+                        ASSERT_EQ(row.different, 0u)
+                            << text(row) << "\ntile " << tile << " bins " << bins << " size "
+                            << width << "x" << height << (mode == ViewMode::full ? " full" : "");
+                        ASSERT_EQ(row.equal, row.compared);
+                    }
+                }
+}
+
+/// Edited copies of the shaders.
+class EditedShaders {
+public:
+    EditedShaders() {
+        for (const std::string& file : ShaderFiles::builtIn())
+            folder_.write(file, ShaderFiles().read(file));
+    }
+    void replace(const std::string& file, const std::string& from, const std::string& to) const {
+        std::string source = ShaderFiles().read(file);
+        const size_t at = source.find(from);
+        ASSERT_NE(at, source.npos) << "'" << from << "' is no longer in " << file;
+        folder_.write(file, source.replace(at, from.size(), to));
+    }
+    ShaderFiles files() const { return ShaderFiles(folder_.path()); }
+
+private:
+    TemporaryFolder folder_;
+};
+
+/// A mesh that needs every part of every pass: large and small triangles, degenerate ones, ones on
+/// the borders of tiles, and one around the eye.
+Mesh difficultMesh(const ViewSet& set) {
+    Random random(7);
+    const std::vector<ViewSet> sets{set};
+    NastyTriangles nasty(random, sets);
+    std::vector<Triangle> triangles{{{0.5f, 0, 0}, {-0.5f, 0.5f, 0}, {-0.5f, -0.5f, 0}}};
+    for (int i = 0; i < 400; ++i) triangles.push_back(nasty.next().triangle);
+    addSoup(random, triangles, 100);
+    addRoom(random, triangles);
+    Mesh mesh;
+    for (const Triangle& t : triangles) {
+        const auto first = (uint32_t) mesh.positions.size();
+        mesh.positions.insert(mesh.positions.end(), {t.a, t.b, t.c});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return mesh;
+}
+
+/// The buffers, as "pass: buffer", in whose rows of \p gl something differs.
+std::set<std::string> caught(const GlOptions& options, const Camera& camera = {}) {
+    const ViewSet set = fullViews(90, 7);
+    SerialExecutor executor;
+    CpuBackend cpu(executor);
+    GlBackend gl(options);
+    std::set<std::string> different;
+    for (const CheckRow& row :
+         checkConstruction(difficultMesh(set), camera, set.settings, cpu, gl)) {
+        EXPECT_EQ(row.compared, row.equal + row.withinTolerance + row.different);
+        if (row.different == 0) continue;
+        EXPECT_FALSE(row.examples.empty());
+        different.insert(row.pass + ": " + row.buffer);
+    }
+    return different;
+}
+
+std::set<std::string> caughtFault(const std::string& file, const std::string& from,
+                                  const std::string& to, const Camera& camera = {}) {
+    const EditedShaders shaders;
+    shaders.replace(file, from, to);
+    GlOptions options;
+    options.shaders = shaders.files();
+    return caught(options, camera);
+}
+
+using Rows = std::set<std::string>;
+
+const Rows kDecision = {"FillDepth: depth bounds", "FillPrimitives: lists"};
+
+TEST(Check, FindsNoDifferenceOnADifficultMesh) {
+    EXPECT_EQ(caught({}), Rows{});
+}
+
+TEST(Check, CatchesFaultsOfTheTransform) {
+    Camera aside;
+    aside.eye = {0.125f, 0.25f, -0.5f};
+    const Rows row = {"FillDepth: triangle buffer"};
+    EXPECT_EQ(caughtFault("transform.vert", "world - eye", "world", aside), row);
+    EXPECT_EQ(caughtFault("scale_triangles.comp", "* scale", "* (0.5 * scale)"), row);
+    EXPECT_EQ(caughtFault("largest_coordinate.comp", "& 0x7fffffffu", "& 0x7f000000u"), row);
+}
+
+TEST(Check, CatchesFaultsOfFillDepth) {
+    const Rows row = {"FillDepth: depth bounds"};
+    EXPECT_EQ(caughtFault("fill_depth.frag", "-depths.x, depths.y", "-depths.x, depths.x"), row);
+    EXPECT_EQ(caughtFault("fill_depth.frag", "bounds = vec2(-depths.x",
+                          "bounds = vec2(-uintBitsToFloat(floatBitsToUint(depths.x) + 1u)"),
+              row);
+}
+
+TEST(Check, CatchesFaultsOfFillDepthMipmap) {
+    const Rows rows = caughtFault("fill_depth_mipmap.comp", "child < 4", "child < 3");
+    EXPECT_TRUE(rows.contains("FillDepthMipmap: depth pyramid, level 1"));
+    for (const std::string& row : rows) EXPECT_TRUE(row.starts_with("FillDepthMipmap")) << row;
+}
+
+TEST(Check, CatchesFaultsOfFillPrimitives) {
+    const Rows lists = {"FillPrimitives: lists"};
+    EXPECT_EQ(caughtFault("fill_primitives.frag", "bin <= last", "bin < last"), lists);
+    EXPECT_EQ(caughtFault("fill_primitives.frag", "uvec2(next, primitive)",
+                          "uvec2(next, primitive ^ 1u)"),
+              lists);
+    EXPECT_EQ(caughtFault("include/bins.glsl", "* map.scale", "* (map.scale * 1.001)"), lists);
+    EXPECT_EQ(caughtFault("triangles_at_eye.comp", "firstId + triangle", "firstId + triangle + 1u"),
+              Rows{"FillPrimitives: triangles at the eye"});
+}
+
+/// Of the parts that FillDepth and FillPrimitives share.
+TEST(Check, CatchesFaultsOfTheDecision) {
+    EXPECT_EQ(caughtFault("include/coverage.glsl", "if (inside < 0.0)", "if (inside < 1.0e-4)"),
+              kDecision);
+    EXPECT_EQ(caughtFault("include/coverage.glsl", "a.z >= 0.0", "a.z > 0.0"), kDecision);
+    EXPECT_EQ(caughtFault("include/coverage.glsl", "(a.z > 0.0 && b.z < 0.0)", "false"), kDecision);
+    EXPECT_EQ(caughtFault("include/clip.glsl", "1.0LF + margin", "1.0LF"), kDecision);
+    EXPECT_EQ(caughtFault("include/clip.glsl", "signOf(p) * signOf(q) > 0", "false"), kDecision);
+    EXPECT_EQ(caughtFault("include/views.glsl", "axes.w < 0", "axes.w < -1"), kDecision);
+}
+
+/// The proposal decides nothing, so a loose one changes nothing; but it must not be too tight.
+TEST(Check, ToleratesALooseProposalAndCatchesATightOne) {
+    EXPECT_EQ(caughtFault("propose_tiles.geom", "ivec2 columns = ",
+                          "ivec2 columns = true ? ivec2(0, grid.columns - 1) : "),
+              Rows{});
+    EXPECT_EQ(caughtFault("propose_tiles.geom", "vec2(columns.y + 1", "vec2(columns.y"), kDecision);
+    GlOptions plain; // triangles, without conservative rasterization where this is tested
+    plain.proposal = Proposal::triangles;
+    if (GlContext context; epoxy_has_gl_extension("GL_NV_conservative_raster"))
+        GTEST_SKIP() << "this driver rasterizes conservatively";
+    EXPECT_EQ(caught(plain), kDecision);
+}
+
+} // namespace
+} // namespace dirt::test
