@@ -8,6 +8,21 @@
 namespace dirt {
 namespace {
 
+/// Rays of one dispatch.
+constexpr size_t kRaysPerCast = 1 << 20;
+
+/// As trace.comp reads it.
+struct RayRecord {
+    glm::vec3 origin;
+    uint32_t skip;
+    glm::vec3 direction;
+    float maxT;
+};
+static_assert(sizeof(RayRecord) == 32);
+
+/// Of trace.comp's State.
+constexpr size_t kStateBytes = 56;
+
 [[noreturn]] void refuse(const char* pass) {
     throw CapabilityError(std::string("--backend gl: ") + pass + " is not built yet");
 }
@@ -111,6 +126,11 @@ void GlBackend::useGrid(Grid grid) {
     glTextureBuffer(borderView_.id(), GL_RG32F, borders_.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, parameters_.id());
     glBindTextureUnit(0, borderView_.id());
+    std::vector<float> slopes = grid_.views[0].s;
+    slopes.insert(slopes.end(), grid_.views[0].t.begin(), grid_.views[0].t.end());
+    slopes_ = GlBuffer(slopes.size() * sizeof(float), slopes.data());
+    slopeView_ = makeTexture(GL_TEXTURE_BUFFER);
+    glTextureBuffer(slopeView_.id(), GL_R32F, slopes_.id());
     bounds_.clear(grid_);
     ids_.clear(grid_);
     atEye_.clear();
@@ -223,12 +243,76 @@ std::vector<BufferSize> GlBackend::memory() const {
             {"id buffer", ids_.nodeBytes()}};
 }
 
-void GlBackend::intersect(std::span<const Ray>, std::span<Hit>) {
-    refuse("Trace");
+/// Any hits before \p maxT, or nearest hits where that is empty.
+void GlBackend::cast(std::span<const Ray> rays, std::span<const float> maxT, std::span<Hit> hits) {
+    context_.makeCurrent();
+    const GlTexture triangleView = makeTexture(GL_TEXTURE_BUFFER);
+    if (triangles_.count() > 0) glTextureBuffer(triangleView.id(), GL_RGB32F, triangles_.buffer());
+    const GlBuffer atEye(atEye_.size() * sizeof(uint32_t), atEye_.data());
+    const GlTexture atEyeView = makeTexture(GL_TEXTURE_BUFFER);
+    glTextureBuffer(atEyeView.id(), GL_R32UI, atEye.id());
+    const GLuint textures[] = {borderView_.id(),  slopeView_.id(), bounds_.texture(),
+                               triangleView.id(), ids_.heads(),    atEyeView.id()};
+    glBindTextures(0, 6, textures);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, parameters_.id());
+    ids_.bindNodes();
+    programs_.use(traceSource(!maxT.empty(), ids_.segments(), ids_.segmentBits()));
+    const GridSettings& settings = grid_.settings;
+    const int levels = bounds_.levels() - 1;
+    glUniform1i(1, settings.traversal == Traversal::linear ? 0
+                   : settings.maxMip < 0                   ? levels
+                                                           : std::min(settings.maxMip, levels));
+    glUniform1i(2, settings.mode == ViewMode::single);
+    glUniform1i(3, (GLint) atEye_.size());
+
+    std::vector<RayRecord> records(std::min(rays.size(), kRaysPerCast));
+    for (size_t first = 0; first < rays.size(); first += kRaysPerCast) {
+        const size_t count = std::min(rays.size() - first, kRaysPerCast);
+        for (size_t i = 0; i < count; ++i) {
+            const Ray& ray = rays[first + i];
+            records[i] = {ray.origin, ray.skip, ray.direction,
+                          maxT.empty() ? 0.0f : maxT[first + i]};
+        }
+        const GlBuffer input(count * sizeof(RayRecord), records.data());
+        const GlBuffer output(count * sizeof(Hit));
+        const GlBuffer states(2 * sizeof(uint32_t) + count * kStateBytes);
+        glClearNamedBufferData(states.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+        const auto block = (GLuint) ids_.segments();
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, block, input.id());
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, block + 1, output.id());
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, block + 2, states.id());
+        glUniform1ui(0, (GLuint) count);
+        glUniform1ui(5, 3);
+        uint32_t unfinished[2]; // and of these, cut short
+        do {
+            const uint32_t none[2] = {};
+            states.write(0, sizeof none, none);
+            glUniform1ui(4, turns_);
+            glDispatchCompute((GLuint) (count + 63) / 64, 1, 1);
+            glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+            states.read(0, sizeof unfinished, unfinished);
+            if (unfinished[1] == 0) continue;
+            if (turns_ == 1)
+                throw CapabilityError("this OpenGL driver ends loops before they are through");
+            turns_ /= 2;
+        } while (unfinished[0] > 0);
+        output.read(0, output.bytes(), hits.data() + first);
+    }
+    context_.check();
 }
-void GlBackend::occluded(std::span<const Ray>, std::span<const float>, std::span<uint8_t>) {
-    refuse("Visibility");
+
+void GlBackend::intersect(std::span<const Ray> rays, std::span<Hit> hits) {
+    cast(rays, {}, hits);
 }
+
+void GlBackend::occluded(std::span<const Ray> rays, std::span<const float> maxT,
+                         std::span<uint8_t> result) {
+    if (rays.empty()) return;
+    std::vector<Hit> hits(rays.size());
+    cast(rays, maxT, hits);
+    for (size_t i = 0; i < hits.size(); ++i) result[i] = hits[i].found() ? 1 : 0;
+}
+
 void GlBackend::beginFrame(const Scene&, const RenderSettings&, const Requirements&) {
     refuse("DirectVisibility");
 }

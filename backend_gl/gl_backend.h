@@ -76,6 +76,7 @@ public:
 private:
     void useGrid(Grid grid);
     [[noreturn]] void refuseLists();
+    void cast(std::span<const Ray> rays, std::span<const float> maxT, std::span<Hit> hits);
 
     GlContext context_;
     Programs programs_;
@@ -87,8 +88,9 @@ private:
     Grid grid_; ///< views and settings alone
     Camera camera_;
     std::vector<uint32_t> atEye_;
-    GlBuffer parameters_, borders_;
-    GlTexture borderView_;
+    uint32_t turns_ = 1 << 10; ///< of a ray in one dispatch; fewer where the driver cuts loops
+    GlBuffer parameters_, borders_, slopes_;
+    GlTexture borderView_, slopeView_;
 };
 
 } // namespace dirt

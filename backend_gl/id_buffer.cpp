@@ -28,8 +28,10 @@ IdBuffer::IdBuffer(Programs& programs, uint32_t nodes, int segmentBits)
         const GLint64 bytes = std::min(limit(GL_MAX_SHADER_STORAGE_BLOCK_SIZE), kLargestSegment);
         segmentBits_ = (int) std::bit_width((uint64_t) bytes / sizeof(Node)) - 1;
     }
+    // Tracing needs three more blocks: rays, hits and states.
     segmentLimit_ =
-        (int) std::min<GLint64>(limit(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS), kMostSegments);
+        (int) std::min<GLint64>({limit(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS),
+                                 limit(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS) - 3, kMostSegments});
     mostNodes_ = std::min((uint64_t) segmentLimit_ << segmentBits_, (uint64_t) kNoNode);
     glTextureBuffer(counterView_.id(), GL_R32UI, counters_.id());
     setCapacity(nodes);
@@ -50,6 +52,8 @@ void IdBuffer::clear(const Grid& grid) {
         heads_ = {}; // before the next ones are allocated
         heads_ = makeTexture(GL_TEXTURE_2D_ARRAY);
         glTextureStorage3D(heads_.id(), 1, GL_R32UI, columns_, rows_, views_ * bins_);
+        glTextureParameteri(heads_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTextureParameteri(heads_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glNamedFramebufferParameteri(framebuffer_.id(), GL_FRAMEBUFFER_DEFAULT_WIDTH, columns_);
         glNamedFramebufferParameteri(framebuffer_.id(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, rows_);
         glNamedFramebufferParameteri(framebuffer_.id(), GL_FRAMEBUFFER_DEFAULT_LAYERS, views_);
@@ -76,11 +80,7 @@ void IdBuffer::count(const TriangleBuffer& triangles, ViewMode mode, Proposal pr
     counters_.write(0, sizeof zero, zero);
     programs_.use(fillPrimitivesSource(mode, proposal, segmentLimit_, segmentBits_));
     glUniform1ui(0, capacity_);
-    // Segments that the pool has not got are not written, but something has to be bound.
-    for (int i = 0; i < segmentLimit_; ++i)
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, (GLuint) i,
-                         (size_t) i < segments_.size() ? segments_[(size_t) i].id()
-                                                       : counters_.id());
+    bindNodes();
     triangles.draw();
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                     GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
@@ -93,7 +93,7 @@ bool IdBuffer::fill(const TriangleBuffer& triangles, const DepthBoundsTexture& b
                     ViewMode mode, Proposal proposal) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, columns_, rows_);
-    glBindTextureUnit(1, bounds.texture());
+    glBindTextureUnit(2, bounds.texture());
     glBindImageTexture(0, heads_.id(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
     glBindImageTexture(1, counterView_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
     count(triangles, mode, proposal);
@@ -160,6 +160,14 @@ void IdBuffer::write(const Grid& grid) {
         segments_[i].write(
             0, std::min<size_t>(1ull << segmentBits_, nodes.size() - first) * sizeof(Node),
             nodes.data() + first);
+}
+
+void IdBuffer::bindNodes() const {
+    // Segments that the pool has not got are not touched, but something has to be bound.
+    for (int i = 0; i < segmentLimit_; ++i)
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, (GLuint) i,
+                         (size_t) i < segments_.size() ? segments_[(size_t) i].id()
+                                                       : counters_.id());
 }
 
 uint64_t IdBuffer::headBytes() const {

@@ -36,6 +36,12 @@ public:
     void read(Grid& grid) const;
     void write(const Grid& grid);
 
+    /// Binds the pool as storage blocks 0 … segments() − 1.
+    void bindNodes() const;
+    GLuint heads() const { return heads_.id(); }
+    int segments() const { return segmentLimit_; }
+    int segmentBits() const { return segmentBits_; }
+
     const ListCounts& counts() const { return counts_; }
     /// The largest pool that the driver allows, in nodes.
     uint64_t mostNodes() const { return mostNodes_; }

@@ -53,6 +53,15 @@ ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segment
             {}};
 }
 
+ProgramSource traceSource(bool anyHit, int segments, int segmentBits) {
+    return {anyHit ? "Visibility" : "Trace",
+            {"trace.comp"},
+            {std::string("DIRT_ANY_HIT ") + (anyHit ? "1" : "0"),
+             "DIRT_SEGMENTS " + std::to_string(segments),
+             "DIRT_SEGMENT_BITS " + std::to_string(segmentBits)},
+            {}};
+}
+
 ProgramSource selfTestRasterSource() {
     return {"self-test", {"self_test.vert", "self_test.geom", "self_test.frag"}, {cases()}, {}};
 }

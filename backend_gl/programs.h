@@ -26,6 +26,7 @@ ProgramSource trianglesAtEyeSource();
 ProgramSource fillDepthSource(ViewMode mode, Proposal proposal);
 ProgramSource fillDepthMipmapSource();
 ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segments, int segmentBits);
+ProgramSource traceSource(bool anyHit, int segments, int segmentBits);
 ProgramSource selfTestRasterSource();
 ProgramSource selfTestComputeSource();
 

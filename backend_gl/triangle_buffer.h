@@ -25,6 +25,9 @@ public:
     /// The ids of the triangles that hold the eye, in increasing order.
     std::vector<uint32_t> findAtEye();
 
+    /// For GL_RGB32F buffer textures: three texels a triangle.
+    GLuint buffer() const { return corners_.id(); }
+
     uint64_t bytes() const { return corners_.bytes(); }
     uint32_t count() const { return (uint32_t) (corners_.bytes() / sizeof(Triangle)); }
 

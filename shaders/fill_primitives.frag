@@ -7,7 +7,9 @@
 #include "include/nodes.glsl"
 
 /// Depth bounds (-near, far).
-layout(binding = 1) uniform sampler2DArray pyramid;
+layout(binding = 2) uniform sampler2DArray pyramid;
+
+layout(r32ui, binding = 0) uniform uimage2DArray heads;
 
 /// Nodes asked for (modulo 2^32), how often that sum has wrapped, and (triangle, tile) pairs.
 layout(r32ui, binding = 1) uniform uimageBuffer counters;

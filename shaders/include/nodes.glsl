@@ -1,10 +1,8 @@
-// The id buffer: a list of (next, primitive) nodes for every (view, tile, bin). Nodes lie in
+// The id buffer: a list of (next, primitive) nodes for every (view, tile, bin), its head in
+// layer view * bins + bin of a texture. Nodes lie in
 // segments, as a buffer may be no longer than the driver allows.
 
 const uint kNoNode = 0xffffffffu;
-
-/// Layer view * bins + bin holds the heads of a bin's lists.
-layout(r32ui, binding = 0) uniform uimage2DArray heads;
 
 layout(std430, binding = 0) buffer Segment0 {
     uvec2 nodes0[];
@@ -135,4 +133,57 @@ void writeNode(uint node, uvec2 value) {
     case 15u: nodes15[place] = value; break;
 #endif
     }
+}
+
+uvec2 readNode(uint node) {
+    uint place = node & ((1u << DIRT_SEGMENT_BITS) - 1u);
+    switch (node >> DIRT_SEGMENT_BITS) {
+    case 0u: return nodes0[place];
+#if DIRT_SEGMENTS > 1
+    case 1u: return nodes1[place];
+#endif
+#if DIRT_SEGMENTS > 2
+    case 2u: return nodes2[place];
+#endif
+#if DIRT_SEGMENTS > 3
+    case 3u: return nodes3[place];
+#endif
+#if DIRT_SEGMENTS > 4
+    case 4u: return nodes4[place];
+#endif
+#if DIRT_SEGMENTS > 5
+    case 5u: return nodes5[place];
+#endif
+#if DIRT_SEGMENTS > 6
+    case 6u: return nodes6[place];
+#endif
+#if DIRT_SEGMENTS > 7
+    case 7u: return nodes7[place];
+#endif
+#if DIRT_SEGMENTS > 8
+    case 8u: return nodes8[place];
+#endif
+#if DIRT_SEGMENTS > 9
+    case 9u: return nodes9[place];
+#endif
+#if DIRT_SEGMENTS > 10
+    case 10u: return nodes10[place];
+#endif
+#if DIRT_SEGMENTS > 11
+    case 11u: return nodes11[place];
+#endif
+#if DIRT_SEGMENTS > 12
+    case 12u: return nodes12[place];
+#endif
+#if DIRT_SEGMENTS > 13
+    case 13u: return nodes13[place];
+#endif
+#if DIRT_SEGMENTS > 14
+    case 14u: return nodes14[place];
+#endif
+#if DIRT_SEGMENTS > 15
+    case 15u: return nodes15[place];
+#endif
+    }
+    return uvec2(kNoNode, kNoNode);
 }

@@ -17,6 +17,8 @@ std::vector<ProgramSource> allPrograms() {
                                       scaleTrianglesSource(),  trianglesAtEyeSource(),
                                       fillDepthMipmapSource(), selfTestRasterSource(),
                                       selfTestComputeSource()};
+    for (bool anyHit : {false, true})
+        for (int segments : {1, kMostSegments}) all.push_back(traceSource(anyHit, segments, 24));
     for (ViewMode mode : {ViewMode::full, ViewMode::single})
         for (Proposal proposal : {Proposal::rectangles, Proposal::triangles}) {
             all.push_back(fillDepthSource(mode, proposal));

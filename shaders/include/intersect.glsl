@@ -1,0 +1,178 @@
+// core/trace/intersect.h in GLSL: whether a ray hits a triangle, decided exactly, by the same
+// operations in the same order. The bounds are derived there and in ray_filter.h.
+
+#include "include/arithmetic.glsl"
+#include "include/determinants.glsl"
+
+struct Ray {
+    vec3 origin, direction;
+    uint skip;
+};
+
+struct Triangle {
+    vec3 a, b, c;
+};
+
+struct TriangleHit {
+    float t, u, v;
+};
+
+const float kRelativeErrorT = 1.341104507446289e-7; // 1.125 * 2^-23
+
+dvec3 crossProduct(dvec3 a, dvec3 b) {
+    precise dvec3 n = dvec3(a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y);
+    return n;
+}
+
+double dotProduct64(dvec3 a, dvec3 b) {
+    precise dvec3 terms = a * b;
+    precise double sum = terms.x + terms.y + terms.z;
+    return sum;
+}
+
+double maxNorm(dvec3 v) {
+    return max(max(abs(v.x), abs(v.y)), abs(v.z));
+}
+
+double oneNorm(dvec3 v) {
+    precise double sum = abs(v.x) + abs(v.y) + abs(v.z);
+    return sum;
+}
+
+double powerOfTwo(int exponent) {
+    return packDouble2x32(uvec2(0u, uint(exponent + 1023) << 20));
+}
+
+// ------------------------------------------------------------------- RayFilter, in float
+
+struct RayFilter {
+    ivec3 axes; // z: that of the direction's largest component
+    vec2 slope;
+    float lateralError;
+};
+
+RayFilter makeFilter(Ray ray) {
+    vec3 d = abs(ray.direction);
+    RayFilter sieve;
+    int z = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
+    sieve.axes = ivec3((z + 1) % 3, (z + 2) % 3, z);
+    // Division may be off by 2.5 ulp (GLSL) rather than by 0.5: 4 u N more in the shear, which the
+    // bound below has room for, as it takes 16 u N where core takes 8.
+    sieve.slope = vec2(ray.direction[sieve.axes.x], ray.direction[sieve.axes.y]) /
+                   ray.direction[z];
+    vec3 o = abs(ray.origin);
+    float distance = 2.0 + max(max(o.x, o.y), o.z);
+    sieve.lateralError = distance < 1.0e12 ? distance * (1.0 / 1048576.0) : 3.0e38; // 2^-20
+    return sieve;
+}
+
+bool sameSide(vec3 x, float error) {
+    return min(min(x.x, x.y), x.z) > error || max(max(x.x, x.y), x.z) < -error;
+}
+
+/// True only if the exact line does not meet the closed triangle.
+bool certainlyMisses(RayFilter sieve, Ray ray, Triangle triangle) {
+    vec3 a = triangle.a - ray.origin, b = triangle.b - ray.origin, c = triangle.c - ray.origin;
+    ivec3 i = sieve.axes;
+    vec3 depth = vec3(a[i.z], b[i.z], c[i.z]);
+    precise vec3 x = vec3(a[i.x], b[i.x], c[i.x]) - sieve.slope.x * depth;
+    if (sameSide(x, sieve.lateralError)) return true;
+    precise vec3 y = vec3(a[i.y], b[i.y], c[i.y]) - sieve.slope.y * depth;
+    if (sameSide(y, sieve.lateralError)) return true;
+    precise vec3 edges = x.yzx * y.zxy - y.yzx * x.zxy;
+    vec3 size = max(abs(x), abs(y));
+    float largest = max(max(size.x, size.y), size.z);
+    float error = largest * (4.0 * sieve.lateralError + largest * (1.0 / 1048576.0));
+    return max(max(edges.x, edges.y), edges.z) > error &&
+           min(min(edges.x, edges.y), edges.z) < -error;
+}
+
+// ------------------------------------------------------------------- the decision, in double
+
+/// Edge determinants with exact signs: weights of a, b and c. \p bound: of each one's error.
+dvec3 edgeWeights(Ray ray, vec3 corners[3], out double bound) {
+    dvec3 o = dvec3(ray.origin), d = dvec3(ray.direction);
+    dvec3 to[3];
+    double norms[3];
+    for (int i = 0; i < 3; ++i) {
+        precise dvec3 difference = dvec3(corners[i]) - o;
+        to[i] = difference;
+        norms[i] = maxNorm(difference);
+    }
+    precise double scale = powerOfTwo(-49) * oneNorm(d);
+    dvec3 weights;
+    uint doubtful = 0u;
+    bound = 0.0LF;
+    for (int i = 0; i < 3; ++i) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        weights[i] = dotProduct64(d, crossProduct(to[j], to[k]));
+        precise double area = norms[j] * norms[k];
+        precise double own = scale * norms[j] * norms[k];
+        if (abs(weights[i]) <= own) doubtful |= 1u << i;
+        bound = max(bound, area);
+    }
+    bound = scale * bound;
+    while (doubtful != 0u) { // outside of the loop above, as it is rare
+        int i = findLSB(doubtful);
+        doubtful &= doubtful - 1u;
+        weights[i] = edgeDeterminantExact(ray.origin, ray.direction, corners[(i + 1) % 3],
+                                          corners[(i + 2) % 3]);
+    }
+    return weights;
+}
+
+/// Numerator and denominator of t, each with a relative error below 2^-29 and the exact sign.
+dvec2 distanceFraction(Ray ray, vec3 corners[3]) {
+    dvec3 a = dvec3(corners[0]), d = dvec3(ray.direction);
+    precise dvec3 ab = dvec3(corners[1]) - a, ac = dvec3(corners[2]) - a;
+    precise dvec3 toA = a - dvec3(ray.origin);
+    dvec3 normal = crossProduct(ab, ac);
+    dvec2 fraction = dvec2(dotProduct64(normal, toA), dotProduct64(normal, d));
+    precise double norms = powerOfTwo(-20) * maxNorm(ab) * maxNorm(ac);
+    if (abs(fraction.x) <= norms * oneNorm(toA))
+        fraction.x = -planeDeterminantExact(ray.origin, corners[0], corners[1], corners[2]);
+    if (abs(fraction.y) <= norms * oneNorm(d))
+        fraction.y =
+            directionDeterminantExact(ray.direction, corners[0], corners[1], corners[2]);
+    return fraction;
+}
+
+/// Whether the exact ray (t >= 0) meets the closed triangle. Does not look at ray.skip.
+bool intersect(Ray ray, Triangle triangle, out TriangleHit hit) {
+    hit = TriangleHit(0.0, 0.0, 0.0);
+    if (triangle.a == triangle.b || triangle.b == triangle.c || triangle.c == triangle.a)
+        return false;
+    vec3 corners[3] = vec3[3](triangle.a, triangle.b, triangle.c);
+    double bound;
+    dvec3 weights = edgeWeights(ray, corners, bound);
+    bool positive = weights.x > 0.0LF || weights.y > 0.0LF || weights.z > 0.0LF;
+    bool negative = weights.x < 0.0LF || weights.y < 0.0LF || weights.z < 0.0LF;
+    if (positive == negative) return false;
+
+    dvec2 fraction = distanceFraction(ray, corners);
+    if (fraction.x != 0.0LF && (fraction.x < 0.0LF) != (fraction.y < 0.0LF)) return false;
+    precise double quotient = fraction.x / fraction.y;
+    double t = abs(quotient);
+    hit.t = t < double(kSmallestNormal) ? 0.0 : float(min(t, double(kLargest)));
+
+    precise double sum = weights.x + weights.y + weights.z;
+    uint unsure = abs(sum) < powerOfTwo(25) * bound ? 7u : 0u;
+    while (unsure != 0u) {
+        int i = findLSB(unsure);
+        unsure &= unsure - 1u;
+        weights[i] = edgeDeterminantExact(ray.origin, ray.direction, corners[(i + 1) % 3],
+                                          corners[(i + 2) % 3]);
+    }
+    precise double total = weights.x + weights.y + weights.z;
+    precise dvec2 barycentric = weights.yz / total;
+    hit.u = flushed(float(barycentric.x));
+    hit.v = flushed(float(barycentric.y));
+    return true;
+}
+
+/// Whether two triangles have exactly the same three vertices, in any order.
+bool sameVertices(Triangle x, Triangle y) {
+    return (x.a == y.a && (x.b == y.b && x.c == y.c || x.b == y.c && x.c == y.b)) ||
+           (x.a == y.b && (x.b == y.c && x.c == y.a || x.b == y.a && x.c == y.c)) ||
+           (x.a == y.c && (x.b == y.a && x.c == y.b || x.b == y.b && x.c == y.a));
+}

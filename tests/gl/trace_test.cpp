@@ -1,0 +1,91 @@
+// Rays traced in GLSL against the traversal in core, bit for bit: hits and the tiles that list
+// them.
+
+#include "backend_gl/gl_backend.h"
+#include "core/grid/denormals.h"
+#include "core/trace/traverse.h"
+#include "tests/support/grid_rays.h"
+#include "tests/support/print.h"
+#include "tests/support/small_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace dirt::test {
+namespace {
+
+const int kRays = cases(96, 512); // of a scene
+
+ViewSet randomViews(Random& random, ViewMode mode) {
+    GridSettings settings;
+    settings.mode = mode;
+    settings.tile = random.pick({1, 1, 2, 4, 7, 16, 64});
+    const int tiles = random.pick({1, 2, 3, 8, 17, 32});
+    settings.viewSize = std::max(1, tiles * settings.tile - random.below(settings.tile));
+    settings.width = settings.viewSize + random.below(40);
+    settings.height = settings.viewSize;
+    settings.bins = random.pick({1, 2, 16, 44});
+    settings.maxMip = random.range(-1, 7);
+    settings.traversal = random.chance(0.3) ? Traversal::linear : Traversal::hierarchical;
+    Camera camera;
+    camera.verticalFov = random.pick({1.0f, 30.0f, 90.0f, 150.0f, 170.0f});
+    return {settings, camera};
+}
+
+std::string text(const Hit& hit) {
+    if (!hit.found()) return "nothing";
+    return std::to_string(hit.primitive) + " at t " + hex(hit.t) + " u " + hex(hit.u) + " v " +
+           hex(hit.v) + " in view " + std::to_string(hit.view) + " tile " +
+           std::to_string(hit.tile);
+}
+
+/// To the bit, but for the signs of zeros.
+bool sameHit(const Hit& a, const Hit& b) {
+    return a.primitive == b.primitive && a.t == b.t && a.u == b.u && a.v == b.v &&
+           a.view == b.view && a.tile == b.tile && a.fetches == b.fetches;
+}
+
+TEST(GlTrace, EqualsTheDefinition) {
+    GlBackend gl;
+    const FlushDenormals flush; // as every worker of the CPU does
+    Random random(11);
+    for (int round = 0; round < cases(9, 1000); ++round) {
+        const ViewSet set = randomViews(random, round % 3 ? ViewMode::full : ViewMode::single);
+        FrameGeometry geometry;
+        geometry.frame.mode = set.settings.mode;
+        geometry.triangles = smallScene(random, set);
+        const Grid grid = buildGrid(geometry, set.camera, set.settings);
+        gl.setGeometry(geometry);
+        gl.writeGrid(grid);
+
+        GridRays generator(random, set, geometry.triangles);
+        std::vector<Ray> rays;
+        std::vector<float> maxT;
+        for (int i = 0; i < kRays; ++i) {
+            rays.push_back(generator.next().ray);
+            if (random.chance(0.1))
+                rays.back().skip = (uint32_t) random.below((int) geometry.triangles.size());
+            maxT.push_back((float) std::abs(random.wide(-2, 1)));
+        }
+        rays[7].direction = glm::vec3(0.0f);
+        rays[8].direction.y = NAN;
+        rays[9].origin.x = HUGE_VALF;
+        maxT[10] = 0.0f;
+        std::vector<Hit> hits(rays.size());
+        std::vector<uint8_t> occluded(rays.size());
+        gl.intersect(rays, hits);
+        gl.occluded(rays, maxT, occluded);
+        for (size_t i = 0; i < rays.size(); ++i) {
+            const Hit expected = closestHit(grid, geometry, rays[i]);
+            ASSERT_TRUE(sameHit(hits[i], expected))
+                << text(expected) << ", not " << text(hits[i]) << "\n"
+                << hex(rays[i]) << " in round " << round << ", " << describe(set);
+            ASSERT_EQ(occluded[i] != 0, anyHit(grid, geometry, rays[i], maxT[i]))
+                << hex(rays[i]) << " before " << maxT[i] << " in round " << round;
+        }
+    }
+}
+
+} // namespace
+} // namespace dirt::test
