@@ -19,6 +19,7 @@ std::string CpuBackend::device() const {
 
 void CpuBackend::clear(const Camera& camera, const GridSettings& settings) {
     grid_ = {}; // before the next one is allocated
+    tracer_.reset();
     grid_ = makeEmptyGrid(camera, settings);
 }
 
@@ -42,21 +43,28 @@ void CpuBackend::makeLeaves() {
 
 void CpuBackend::writeGrid(const Grid& grid) {
     grid_ = grid;
-    makeLeaves();
+    tracer_.reset();
+}
+
+const LeafTracer& CpuBackend::tracer() {
+    if (!tracer_) makeLeaves();
+    return *tracer_;
 }
 
 void CpuBackend::intersect(std::span<const Ray> rays, std::span<Hit> hits) {
+    const LeafTracer& leaves = tracer();
     executor_.forRange(rays.size(), kRaysPerPiece, [&](size_t begin, size_t end) {
-        tracer_->closest(rays.subspan(begin, end - begin), hits.subspan(begin, end - begin));
+        leaves.closest(rays.subspan(begin, end - begin), hits.subspan(begin, end - begin));
     });
 }
 
 void CpuBackend::occluded(std::span<const Ray> rays, std::span<const float> maxT,
                           std::span<uint8_t> result) {
+    const LeafTracer& leaves = tracer();
     executor_.forRange(rays.size(), kRaysPerPiece, [&](size_t begin, size_t end) {
         const size_t count = end - begin;
-        tracer_->occluded(rays.subspan(begin, count), maxT.subspan(begin, count),
-                          result.subspan(begin, count));
+        leaves.occluded(rays.subspan(begin, count), maxT.subspan(begin, count),
+                        result.subspan(begin, count));
     });
 }
 

@@ -38,7 +38,8 @@ public:
 
     /// The structure of the last build.
     const Grid& grid() const { return grid_; }
-    const LeafTracer& tracer() const { return *tracer_; }
+    /// Traces the structure; made anew where the grid was written from outside.
+    const LeafTracer& tracer();
 
 private:
     /// The traced form of the lists.
@@ -47,7 +48,7 @@ private:
     GridBuilder builder_;
     Grid grid_;
     Leaves leaves_;
-    std::optional<LeafTracer> tracer_;
+    std::optional<LeafTracer> tracer_; ///< none: the leaves are not those of the grid
 };
 
 } // namespace dirt

@@ -112,7 +112,7 @@ public:
 private:
     /// The node over one list of more than one block.
     void overBlocks(LeafNode& node, List items) {
-        Sizes sizes;
+        Sizes sizes{};
         const int count = cut(blocksOf(items.size()), sizes);
         arrange(items, sizes.data(), count);
         int nodes = 0;

@@ -288,7 +288,7 @@ void LeafTracer::closest(std::span<const Ray> rays, std::span<Hit> hits, LeafCou
 }
 
 void LeafTracer::occluded(std::span<const Ray> rays, std::span<const float> maxT,
-                      std::span<uint8_t> result, LeafCounts* counts) const {
+                          std::span<uint8_t> result, LeafCounts* counts) const {
     LeafCounts local;
     HWY_DYNAMIC_DISPATCH(Occluded)(*this, rays, maxT, result, local);
     if (counts) *counts = local;

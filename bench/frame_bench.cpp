@@ -58,7 +58,8 @@ uint64_t totalBytes(const Backend& backend) {
 }
 
 /// What the traversal does for these rays.
-std::array<WorkReport, kFrameParts.size()> countWork(const LeafTracer& tracer, const RaySets& sets) {
+std::array<WorkReport, kFrameParts.size()> countWork(const LeafTracer& tracer,
+                                                     const RaySets& sets) {
     std::array<WorkReport, kFrameParts.size()> work;
     std::vector<Hit> hits(std::max(sets.primary.size(), sets.diffuse.size()));
     const auto closest = [&](FramePart part, const std::vector<Ray>& rays) {
@@ -116,7 +117,7 @@ FrameReport benchFrame(const Scene& scene, const RenderSettings& settings, Backe
     report.dirt.bytes = totalBytes(dirt);
     report.embree.bytes = totalBytes(embree);
     report.listEntries = dirt.listEntries();
-    if (const auto* cpu = dynamic_cast<const CpuBackend*>(&dirt))
+    if (auto* cpu = dynamic_cast<CpuBackend*>(&dirt))
         report.work = countWork(cpu->tracer(), rays);
     return report;
 }

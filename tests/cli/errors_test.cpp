@@ -66,7 +66,7 @@ TEST(Errors, TheProcessEndsWithTheStatus) {
     const std::string scene = folder.write("a.obj", kTriangleObj);
     EXPECT_EQ(startDirt({"info", scene}).status, 0);
     expectLine(startDirt({"info", folder / "none.obj"}), 2, {folder / "none.obj"});
-    expectLine(startDirt({"info", scene, "--backend", "gl"}), 3, {"--backend gl"});
+    expectLine(startDirt({"info", scene, "--precision", "fast"}), 3, {"--precision fast"});
 }
 
 TEST(Errors, UnknownCommandsAndOptionsAreNamed) {
