@@ -8,13 +8,14 @@ namespace {
 /// What depths may be off where arithmetic is not IEEE (G2).
 constexpr int kUlps = 16;
 
-/// A grid's depth bounds of the tiles, and of the levels above them if \p pyramid; no lists.
+/// A grid's depth bounds of the tiles, and of the levels above them if \p pyramid; all lists empty.
 Grid withoutLists(const Grid& grid, bool pyramid) {
     Grid bounds;
     bounds.settings = grid.settings;
     bounds.views = grid.views;
     bounds.firstTile = grid.firstTile;
     bounds.pyramids = grid.pyramids;
+    bounds.heads.resize(grid.heads.size(), 0); // a backend may prepare lists for tracing
     if (!pyramid)
         for (DepthPyramid& levels : bounds.pyramids) levels.levels.resize(1);
     return bounds;
