@@ -5,8 +5,10 @@
 #include "core/path/surface.h"
 #include "core/trace/intersect.h"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cfloat>
 #include <cmath>
 #include <vector>
 
@@ -75,7 +77,9 @@ public:
         if (positive && negative) return true;
         // t = volume / sum of weights; the computed t is off by less than 2^-22 of it, and the sum
         // of three weights by less than twice their bounds.
-        return volume_ > (double) limit * (1.0 + 0x1p-22) * (std::abs(sum) + 2.0 * error);
+        // Below FLT_MIN it is computed as zero.
+        const double beyond = std::max((double) limit, (double) FLT_MIN) * (1.0 + 0x1p-22);
+        return volume_ > beyond * (std::abs(sum) + 2.0 * error);
     }
 
 private:

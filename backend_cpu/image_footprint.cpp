@@ -32,13 +32,17 @@ struct Interval {
     }
 };
 
-/// Includes the slope, without end, of the direction in which the edge pq crosses z = 0.
+/// Includes the slope, without end, of a direction in z = 0 whose coordinate is off by at most
+/// \p error.
+void includeEndless(double coordinate, double error, Interval& slopes) {
+    if (coordinate >= -error) slopes.include(kInfinity);
+    if (coordinate <= error) slopes.include(-kInfinity);
+}
+
+/// The same for the direction in which the edge pq crosses z = 0.
 void includeCrossing(double p, double pz, double q, double qz, Interval& slopes) {
     const double first = p * std::abs(qz), second = q * std::abs(pz);
-    const double value = first + second;
-    const double error = 0x1p-40 * (std::abs(first) + std::abs(second));
-    if (value >= -error) slopes.high = kInfinity;
-    if (value <= error) slopes.low = -kInfinity;
+    includeEndless(first + second, 0x1p-40 * (std::abs(first) + std::abs(second)), slopes);
 }
 
 } // namespace
@@ -51,6 +55,7 @@ ImageFootprint::ImageFootprint(const Camera& camera, int width, int height, View
     slope_ = {-slopeX, -slopeY};
     step_ = {2.0 * slopeX / width, 2.0 * slopeY / height};
     const double largest = 1.0 + std::max(slopeX, slopeY);
+    largestSlope_ = largest;
     margin_ = 0x1p-19 * largest * largest;
     if (mode == ViewMode::full) {
         const CameraBasis basis = cameraBasis(camera);
@@ -59,25 +64,32 @@ ImageFootprint::ImageFootprint(const Camera& camera, int width, int height, View
 }
 
 PixelRange ImageFootprint::operator()(const Triangle& triangle) const {
-    const PixelRange everything{0, size_.x - 1, 0, size_.y - 1};
     const std::array<glm::dvec3, 3> p = {toImage_ * glm::dvec3(triangle.a),
                                          toImage_ * glm::dvec3(triangle.b),
                                          toImage_ * glm::dvec3(triangle.c)};
-    int before = 0;
-    for (const glm::dvec3& v : p) {
-        if (std::abs(v.z) <= kFlat * (std::abs(v.x) + std::abs(v.y) + std::abs(v.z)))
-            return everything;
-        before += v.z > 0.0;
-    }
-    if (before == 0) return {};
+    const auto norm = [](const glm::dvec3& v) {
+        return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+    };
+    int sides[3]; // -1 behind, 1 before the eye's plane, 0 too near to it to tell
+    for (int i = 0; i < 3; ++i)
+        sides[i] = std::abs(p[i].z) <= kFlat * norm(p[i]) ? 0 : p[i].z > 0.0 ? 1 : -1;
+    if (sides[0] < 0 && sides[1] < 0 && sides[2] < 0) return {};
 
     Interval slopes[2];
     for (int i = 0; i < 3; ++i) {
-        const glm::dvec3 &v = p[i], &w = p[(i + 1) % 3];
+        const int next = (i + 1) % 3, other = (i + 2) % 3;
+        const glm::dvec3 &v = p[i], &w = p[next];
         for (int axis = 0; axis < 2; ++axis) {
-            if (v.z > 0.0) slopes[axis].include(v[axis] / v.z);
-            if ((v.z > 0.0) != (w.z > 0.0))
+            if (sides[i] > 0) slopes[axis].include(v[axis] / v.z);
+            if (sides[i] * sides[next] < 0)
                 includeCrossing(v[axis], v.z, w[axis], w.z, slopes[axis]);
+            if (sides[i] != 0) continue;
+            // Wherever the vertex and the crossings of its edges are, within kFlat: beyond the
+            // image on the side that the sign says, or on either.
+            double steepest = largestSlope_;
+            for (const int k : {next, other})
+                if (sides[k] != 0) steepest = std::max(steepest, std::abs(p[k][axis] / p[k].z));
+            includeEndless(v[axis], 2.0 * kFlat * norm(v) * steepest, slopes[axis]);
         }
     }
     int first[2], last[2];

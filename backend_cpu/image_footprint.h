@@ -23,11 +23,12 @@ public:
     PixelRange operator()(const Triangle& triangle) const;
 
 private:
-    glm::dmat3 toImage_;  ///< grid frame to (x, y, z): slopes are x/z, y/z
-    glm::dvec2 slope_;    ///< at pixel (0, 0)
-    glm::dvec2 step_;     ///< per pixel
-    glm::dvec2 offset_;   ///< of the sample, pixels
-    double margin_ = 0.0; ///< of a slope
+    glm::dmat3 toImage_;        ///< grid frame to (x, y, z): slopes are x/z, y/z
+    glm::dvec2 slope_;          ///< at pixel (0, 0)
+    glm::dvec2 step_;           ///< per pixel
+    glm::dvec2 offset_;         ///< of the sample, pixels
+    double largestSlope_ = 0.0; ///< of the image, and 1
+    double margin_ = 0.0;       ///< of a slope
     glm::ivec2 size_;
 };
 

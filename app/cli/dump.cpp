@@ -3,7 +3,9 @@
 #include "app/cli/input.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/json_report.h"
+#include "app/cli/memory_limit.h"
 #include "app/cli/option_values.h"
+#include "core/frame/memory_plan.h"
 #include "core/frame/renderer.h"
 #include "core/io/error.h"
 #include "core/io/output_file.h"
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,6 +62,40 @@ void makeFolder(const std::string& folder) {
     if (!std::filesystem::is_directory(folder))
         throw InputError(folder + ": cannot make this folder" +
                          (error ? ": " + error.message() : ""));
+}
+
+/// Removes the files of an earlier dump to \p folder, which would stand beside a manifest that does
+/// not know them; its manifest first, so that none stands beside other files.
+void removeEarlierDump(const std::string& folder) {
+    const std::filesystem::path manifest = std::filesystem::path(folder) / "manifest.json";
+    std::ifstream in(manifest);
+    const Json json = Json::parse(in, nullptr, false);
+    if (!json.is_object() || !json.contains("files")) return;
+    std::error_code ignored;
+    std::filesystem::remove(manifest, ignored);
+    for (const Json& file : json["files"]) {
+        const std::filesystem::path name = file.value("file", std::string());
+        if (name.extension() == ".exr" && name == name.filename())
+            std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
+    }
+}
+
+/// Throws InputError where the buffers, their copy and the largest file, twice while it is being
+/// written, would not fit into memory.
+void checkDumpMemory(const Input& input) {
+    Requirements need = requirementsOf(input.scene, input.settings, false);
+    need.previousPoint = true;
+    uint64_t buffers = 0;
+    for (const PlannedBuffer& row : planPaths(need, input.settings.grid)) buffers += row.bytes;
+    const GridSettings& grid = input.settings.grid;
+    const uint64_t shading = 3 * surfacePointChannels().size() * sizeof(uint32_t) *
+                             (uint64_t) grid.width * (uint64_t) grid.height;
+    const uint64_t needed = 2 * buffers + 2 * shading, available = availableMemory();
+    if (needed > available)
+        throw InputError("a dump of " + std::to_string(grid.width) + "x" +
+                         std::to_string(grid.height) + " pixels needs " +
+                         std::to_string(needed / 1'000'000) + " MB of memory; there are " +
+                         std::to_string(available / 1'000'000) + " MB");
 }
 
 Json vectorJson(glm::vec3 v) {
@@ -150,8 +187,10 @@ int runDump(const DumpOptions& options) {
         throw InputError("--event " + std::to_string(*options.event) + ": the path events of " +
                          std::to_string(input.settings.bounces) + " bounces are 0 to " +
                          std::to_string(input.settings.bounces - 1));
-    makeFolder(options.folder);
+    checkDumpMemory(input);
     const auto backend = makeBackend(options.common, *executor);
+    makeFolder(options.folder);
+    removeEarlierDump(options.folder);
 
     const GridSettings& grid = input.settings.grid;
     Dump dump(options.folder, grid.width, grid.height,
@@ -162,13 +201,14 @@ int runDump(const DumpOptions& options) {
     RenderHooks hooks;
     hooks.stop = interrupted;
     hooks.observe = [&](uint32_t, int event) {
+        const bool wantsEvent = !options.event || *options.event == event;
+        if (event > 0 && !wantsEvent) return;
         const PathBuffers paths = backend->readPaths();
         if (event == 0) {
             dumpStructure(*backend, wanted, dump);
             if (wanted.has("direct")) dump.direct(paths);
         }
-        if (!options.event || *options.event == event)
-            dumpEvent(paths, event, event > 0 || !rasterPrimary, wanted, dump);
+        if (wantsEvent) dumpEvent(paths, event, event > 0 || !rasterPrimary, wanted, dump);
     };
     catchInterrupts();
     Renderer renderer(input.scene, input.settings, *backend);
@@ -198,7 +238,8 @@ void addDump(CLI::App& program, int& status) {
     addCommonOptions(*command, options->common);
     command
         ->add_option("--buffers", options->buffers, "of " + Selection::list() + " (default: all)")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command->add_option("-o,--output", options->folder, "folder for the files; made if need be")
         ->required();
     addInteger(*command, "--event", 0, 1023, "only this path event (default: all)",

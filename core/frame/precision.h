@@ -14,7 +14,7 @@ struct PrecisionReach {
     double diagonal = 0.0;     ///< of the triangles' box, world units
     double worldSpacing = 0.0; ///< of float32 at the largest world coordinate
     double frameSpacing = 0.0; ///< of float32 at the largest distance from the eye, world units
-    uint64_t withoutArea = 0;  ///< triangles that no ray hits
+    uint64_t withoutArea = 0;  ///< triangles that no ray hits, as far as double tells
     uint64_t flattened = 0;    ///< of these, that had an area before they were moved to the eye
 };
 

@@ -30,7 +30,7 @@ public:
             if (!lightPoints(sample, k)) return false;
         }
         time("Resolve", 0, [&] { backend_.resolve(); });
-        return true;
+        return !stopped_;
     }
 
 private:

@@ -8,8 +8,9 @@
 
 namespace dirt {
 
-/// What a scene and the choices made for it require of a frame. Buffers and code paths follow from
-/// this and from nothing else: what is not required costs nothing.
+/// What a scene and the choices made for it require of a frame. Which buffers there are follows
+/// from this and from nothing else. Emission, background, textures and normals choose between
+/// shaders; the passes on the host look at the scene itself.
 struct Requirements {
     bool light = false;           ///< a spotlight: shadow rays, visibility
     bool emission = false;        ///< surfaces that shine

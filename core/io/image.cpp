@@ -60,15 +60,20 @@ void writeExr(const std::string& path, const Image& image, const ImageMetadata& 
 Image readImage(const std::string& path) {
     const auto input = openImage(path);
     const OIIO::ImageSpec spec = input->spec();
-    const int channels = std::min(spec.nchannels, 3);
+    int first = spec.channelindex("R");
+    const bool colored =
+        first >= 0 && spec.channelindex("G") == first + 1 && spec.channelindex("B") == first + 2;
+    if (!colored) first = spec.channelindex("Y");
+    if (first < 0 || spec.deep || spec.channelformat(first).basetype == OIIO::TypeDesc::UINT)
+        throw InputError(path + ": not an image: it has no channels R, G, B or Y");
+    const int channels = colored ? 3 : 1;
     std::vector<float> values((size_t) spec.width * spec.height * channels);
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data()))
+    if (!input->read_image(0, 0, first, first + channels, OIIO::TypeDesc::FLOAT, values.data()))
         throw InputError(path + ": cannot read: " + firstLine(input->geterror()));
 
     Image image{spec.width, spec.height, std::vector<glm::vec3>((size_t) spec.width * spec.height)};
     for (size_t i = 0; i < image.pixels.size(); ++i)
-        for (int c = 0; c < 3; ++c)
-            image.pixels[i][c] = values[i * channels + (channels == 3 ? c : 0)];
+        for (int c = 0; c < 3; ++c) image.pixels[i][c] = values[i * channels + (colored ? c : 0)];
     return image;
 }
 

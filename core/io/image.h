@@ -35,7 +35,7 @@ void writePng(const std::string& path, int width, int height, std::span<const ui
 /// Writes R, G, B as 32-bit float, zip-compressed EXR, in the same way.
 void writeExr(const std::string& path, const Image& image, const ImageMetadata& metadata);
 
-/// Reads the first three channels of any image, as stored: EXR is linear, 8-bit values come out in
+/// Reads the channels R, G, B, or Y, of an image as stored: EXR is linear, 8-bit values come out in
 /// [0, 1] without decoding. One channel becomes grey. Throws InputError.
 Image readImage(const std::string& path);
 

@@ -3,6 +3,7 @@
 
 #include "tests/cli/program.h"
 
+#include <map>
 #include <set>
 
 #include <OpenImageIO/imageio.h>
@@ -85,6 +86,16 @@ TEST(DumpCommand, WritesWhatIsAskedFor) {
                                      "manifest.json"}));
 }
 
+TEST(DumpCommand, ReplacesAnEarlierDump) {
+    const TemporaryFolder folder;
+    const std::string to = folder / "a";
+    ASSERT_EQ(dirt(dumpOf(folder, to, {"--primary", "traced"})).status, 0);
+    folder.write("a/mine.exr", "not the dump's");
+    ASSERT_EQ(dirt(dumpOf(folder, to, {"--buffers", "visibility", "--bounces", "1"})).status, 0);
+    EXPECT_EQ(filesIn(to),
+              (std::set<std::string>{"visibility.0.exr", "manifest.json", "mine.exr"}));
+}
+
 TEST(DumpCommand, EndsInOneLine) {
     const TemporaryFolder folder;
     const auto fails = [&](const std::string& to, const std::vector<std::string>& options,
@@ -96,6 +107,7 @@ TEST(DumpCommand, EndsInOneLine) {
     };
     fails(folder / "a", {"--buffers", "depth,colour"}, "colour");
     fails(folder / "a", {"--event", "3"}, "--event 3");
+    fails(folder / "a", {"--size", "65536x65536"}, "memory");
     fails(folder / "none/a", {}, "none/a");
     fails(folder.write("file", "text"), {}, "file");
     EXPECT_FALSE(std::filesystem::exists(folder / "a"));
@@ -105,22 +117,40 @@ TEST(DumpCommand, EndsInOneLine) {
 #ifdef DIRT_HAVE_EMBREE
 TEST(DumpCommand, EmbreeHasNoGridButTheSameHits) {
     const TemporaryFolder folder;
-    const std::vector<std::string> options = {"--buffers", "depth,ids,rays,shading"};
-    ASSERT_EQ(dirt(dumpOf(folder, folder / "cpu", options)).status, 0);
-    std::vector<std::string> embree = options;
-    embree.insert(embree.end(), {"--backend", "embree"});
-    ASSERT_EQ(dirt(dumpOf(folder, folder / "embree", embree)).status, 0);
+    const std::string scene = DIRT_SOURCE_DIR "/scenes/cornell.scene";
+    for (const char* backend : {"cpu", "embree"})
+        ASSERT_EQ(dirt({"dump", scene, "--quiet", "--size", "48x32", "--backend", backend,
+                        "--buffers", "depth,ids,rays,hits,shading", "-o", folder / backend})
+                      .status,
+                  0);
+    EXPECT_TRUE(filesIn(folder / "cpu").contains("ids.exr"));
     EXPECT_FALSE(filesIn(folder / "embree").contains("ids.exr"));
-    const auto pixels = [&](const std::string& file) {
+    // Each channel of a file, by name.
+    const auto channels = [&](const std::string& file) {
+        std::map<std::string, std::vector<uint32_t>> values;
         const auto input = OIIO::ImageInput::open(folder / file);
-        std::vector<char> bytes(input ? input->spec().image_bytes(true) : 0);
-        EXPECT_TRUE(input && input->read_image(0, 0, 0, input->spec().nchannels,
-                                               OIIO::TypeDesc::UNKNOWN, bytes.data()));
-        return bytes;
+        EXPECT_TRUE(input) << file;
+        for (int c = 0; input && c < input->spec().nchannels; ++c) {
+            auto& channel = values[input->spec().channelnames[c]];
+            channel.resize(48 * 32);
+            EXPECT_TRUE(
+                input->read_image(0, 0, c, c + 1, input->spec().channelformat(c), channel.data()));
+        }
+        return values;
     };
-    for (const char* file : {"shading.0.exr", "rays.1.exr", "shading.2.exr"})
-        EXPECT_EQ(pixels(std::string("cpu/") + file), pixels(std::string("embree/") + file))
-            << file;
+    for (const char* file : {"shading.0.exr", "rays.1.exr", "hits.1.exr", "shading.2.exr"}) {
+        auto ours = channels(std::string("cpu/") + file);
+        auto theirs = channels(std::string("embree/") + file);
+        for (const char* place : {"view", "tile"}) { // which Embree has not
+            ours.erase(place);
+            theirs.erase(place);
+        }
+        EXPECT_EQ(ours, theirs) << file;
+        EXPECT_GT(ours.size(), 4u);
+    }
+    size_t found = 0;
+    for (uint32_t primitive : channels("cpu/hits.1.exr")["primitive"]) found += primitive < 36;
+    EXPECT_GT(found, 500u);
 }
 #endif
 

@@ -113,6 +113,12 @@ TEST(ImageFootprint, HoldsEveryPixelThatIsHit) {
         // Corners on or beside pixels' rays, at any depth, or anywhere.
         const auto corner = [&] {
             if (random.chance(0.3)) return test::uniformPoint(random, 1.0);
+            if (random.chance(0.2)) { // in the eye's plane, exactly or nearly
+                const glm::vec3 p = test::uniformPoint(random, 1.0);
+                if (mode == ViewMode::single) return glm::vec3(p.x, p.y, 0.0f);
+                const glm::vec3 forward = glm::normalize(camera.target);
+                return p - forward * glm::dot(p, forward);
+            }
             const Ray ray = rayAt(random.range(-1, width), random.range(-1, height));
             const float depth = (float) std::pow(10.0, random.uniform(-4, 0));
             const float beside = random.chance(0.5) ? 0.0f : 1e-7f;
@@ -132,6 +138,25 @@ TEST(ImageFootprint, HoldsEveryPixelThatIsHit) {
             }
     }
     EXPECT_GT(hits, pixels / 8) << "the range is of use only if it is not much too large";
+}
+
+TEST(ImageFootprint, IsSmallWhereVerticesLieInTheEyesPlane) {
+    // A floor of 40 x 40 quads on whole numbers, seen from a whole number.
+    for (const ViewMode mode : {ViewMode::full, ViewMode::single}) {
+        Mesh mesh;
+        for (int x = -20; x < 20; ++x)
+            for (int z = -20; z < 20; ++z) test::addQuad(mesh, {x, -1, z}, {1, 0, 0}, {0, 0, 1}, 0);
+        const Camera camera;
+        const FrameGeometry geometry = makeFrameGeometry(mesh, camera, mode);
+        const ImageFootprint footprint(camera, 200, 100, mode, {0.5f, 0.5f});
+        size_t pixels = 0;
+        for (const Triangle& triangle : geometry.triangles) {
+            const PixelRange range = footprint(triangle);
+            if (range.x0 <= range.x1 && range.y0 <= range.y1)
+                pixels += (size_t) (range.x1 - range.x0 + 1) * (size_t) (range.y1 - range.y0 + 1);
+        }
+        EXPECT_LT(pixels, 4u * 200u * 100u);
+    }
 }
 
 /// Runs a frame with raster fetch, and in each event the direct fetch after it.

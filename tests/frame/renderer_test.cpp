@@ -141,6 +141,35 @@ TEST(Renderer, StoppedFramesKeepTheirFinishedSamples) {
     EXPECT_EQ(nothing.image.pixels[0], glm::vec3(0.0f));
 }
 
+TEST(Renderer, AStopAtAnyMomentLeavesWholeSamples) {
+    SerialExecutor serial;
+    RenderSettings choices = settings();
+    choices.grid.width = 9;
+    choices.grid.height = 7;
+    choices.samples = 2;
+    choices.bounces = 2;
+    std::vector<Image> finished;
+    for (int samples : {1, 2}) {
+        RenderSettings whole = choices;
+        whole.samples = samples;
+        finished.push_back(renderWith(serial, whole).image);
+    }
+    int samplesSeen[3] = {0, 0, 0};
+    for (int moment = 0;; ++moment) {
+        int asked = 0;
+        RenderHooks hooks;
+        hooks.stop = [&] { return asked++ >= moment; };
+        const RenderResult result = renderWith(serial, choices, hooks);
+        ++samplesSeen[result.samples];
+        if (result.samples > 0) {
+            ASSERT_EQ(result.image.pixels, finished[result.samples - 1].pixels) << moment;
+        }
+        if (result.samples == 2) break;
+    }
+    EXPECT_GT(samplesSeen[0], 5);
+    EXPECT_GT(samplesSeen[1], 5);
+}
+
 TEST(Renderer, ObserverSeesEveryRay) {
     SerialExecutor serial;
     RenderSettings choices = settings();
