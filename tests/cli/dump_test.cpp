@@ -149,7 +149,8 @@ TEST(DumpCommand, EmbreeHasNoGridButTheSameHits) {
         EXPECT_GT(ours.size(), 4u);
     }
     size_t found = 0;
-    for (uint32_t primitive : channels("cpu/hits.1.exr")["primitive"]) found += primitive < 36;
+    const auto hits = channels("cpu/hits.1.exr");
+    for (uint32_t primitive : hits.at("primitive")) found += primitive < 36;
     EXPECT_GT(found, 500u);
 }
 #endif
