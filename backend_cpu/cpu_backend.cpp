@@ -2,6 +2,7 @@
 
 #include "backend_cpu/direct_visibility.h"
 #include "backend_cpu/raster_fetch.h"
+#include "core/trace/traverse.h"
 
 namespace dirt {
 namespace {
@@ -51,7 +52,17 @@ const LeafTracer& CpuBackend::tracer() {
     return *tracer_;
 }
 
+bool CpuBackend::tracesByDefinition() const {
+    return grid_.settings.traversal != Traversal::hierarchical || grid_.settings.maxMip >= 0;
+}
+
 void CpuBackend::intersect(std::span<const Ray> rays, std::span<Hit> hits) {
+    if (tracesByDefinition()) {
+        executor_.forRange(rays.size(), kRaysPerPiece, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) hits[i] = closestHit(grid_, *geometry_, rays[i]);
+        });
+        return;
+    }
     const LeafTracer& leaves = tracer();
     executor_.forRange(rays.size(), kRaysPerPiece, [&](size_t begin, size_t end) {
         leaves.closest(rays.subspan(begin, end - begin), hits.subspan(begin, end - begin));
@@ -60,6 +71,13 @@ void CpuBackend::intersect(std::span<const Ray> rays, std::span<Hit> hits) {
 
 void CpuBackend::occluded(std::span<const Ray> rays, std::span<const float> maxT,
                           std::span<uint8_t> result) {
+    if (tracesByDefinition()) {
+        executor_.forRange(rays.size(), kRaysPerPiece, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i)
+                result[i] = anyHit(grid_, *geometry_, rays[i], maxT[i]);
+        });
+        return;
+    }
     const LeafTracer& leaves = tracer();
     executor_.forRange(rays.size(), kRaysPerPiece, [&](size_t begin, size_t end) {
         const size_t count = end - begin;

@@ -42,6 +42,9 @@ public:
     const LeafTracer& tracer();
 
 private:
+    /// The leaves' walk goes tile by tile, whatever the pyramid: where a traversal is asked for by
+    /// name, core's own traces.
+    bool tracesByDefinition() const;
     /// The traced form of the lists.
     void makeLeaves();
 

@@ -181,6 +181,7 @@ void dumpEvent(const PathBuffers& paths, int event, bool traced, const Selection
 int runDump(const DumpOptions& options) {
     const Selection wanted(options.buffers);
     const auto executor = makeExecutor(options.common);
+    if (options.common.samples) throw InputError("--spp: a dump is of the first sample alone");
     Input input = openInput(options.common, *executor);
     input.settings.samples = 1;
     if (options.event && *options.event >= input.settings.bounces)

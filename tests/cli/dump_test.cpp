@@ -108,6 +108,7 @@ TEST(DumpCommand, EndsInOneLine) {
     fails(folder / "a", {"--buffers", "depth,colour"}, "colour");
     fails(folder / "a", {"--event", "3"}, "--event 3");
     fails(folder / "a", {"--size", "65536x65536"}, "memory");
+    fails(folder / "a", {"--spp", "2"}, "--spp");
     fails(folder / "none/a", {}, "none/a");
     fails(folder.write("file", "text"), {}, "file");
     EXPECT_FALSE(std::filesystem::exists(folder / "a"));
