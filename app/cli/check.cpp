@@ -101,7 +101,7 @@ bool runCheck(const CheckOptions& options) {
 
 void addCheck(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
-        "check", "builds the structure on two backends and compares every buffer");
+        "check", "builds the structure on two backends and compares each of its buffers");
     const auto options = std::make_shared<CheckOptions>();
     addCommonOptions(*command, options->common);
     command->add_option("--backends", options->backends, "two of cpu, gl (default: cpu,gl)")

@@ -76,6 +76,45 @@ TEST(DirectVisibility, EqualsTracedPrimaryRays) {
     EXPECT_GT(found, 10000u);
 }
 
+TEST(DirectVisibility, EqualsTracedRaysThroughEdges) {
+    // Edges that pixels' rays meet exactly: with a = 2 d + v and b = 4 d - v, d . (a x b) = 0,
+    // which no rounded cross product says.
+    ThreadPool pool(2);
+    test::Random random(5);
+    size_t onEdges = 0;
+    for (int i = 0; i < test::cases(100, 3000); ++i) {
+        RenderSettings settings;
+        settings.grid.width = 16;
+        settings.grid.height = 12;
+        settings.seed = (uint32_t) i;
+        Camera camera;
+        camera.eye = glm::vec3(0.0f);
+        camera.target = randomDirection(random);
+        const CameraRays rays(camera, 16, 12, ViewMode::full);
+        const glm::vec2 offset = subPixelOffset(0, settings.seed);
+        std::vector<Triangle> triangles;
+        for (int k = 0; k < 60; ++k) {
+            const glm::vec3 d = rays.through((float) random.below(16) + offset.x,
+                                             (float) random.below(12) + offset.y)
+                                    .direction;
+            const glm::vec3 v = glm::round(test::uniformPoint(random, 0x1p19)) * 0x1p-20f;
+            const glm::vec3 a = 2.0f * d + v, b = 4.0f * d - v;
+            if (glm::dvec3(a) != 2.0 * glm::dvec3(d) + glm::dvec3(v)) continue;
+            if (glm::dvec3(b) != 4.0 * glm::dvec3(d) - glm::dvec3(v)) continue;
+            triangles.push_back({a, b, test::uniformPoint(random, 4.0)});
+            ++onEdges;
+        }
+        if (triangles.empty()) continue;
+        Scene scene = test::sceneOf(triangles);
+        scene.camera = camera;
+        ASSERT_EQ(countDifferent(firstPoints(scene, settings, Primary::raster, pool),
+                                 firstPoints(scene, settings, Primary::traced, pool)),
+                  0u)
+            << "case " << i;
+    }
+    EXPECT_GT(onEdges, 500u);
+}
+
 TEST(DirectVisibility, CoincidentTrianglesShowTheLowestId) {
     test::Random random(2);
     std::vector<Triangle> triangles;

@@ -3,6 +3,7 @@
 #include "core/dump/dump.h"
 
 #include "backend_cpu/cpu_backend.h"
+#include "backend_cpu/thread_pool.h"
 #include "core/dump/entries.h"
 #include "core/frame/renderer.h"
 #include "core/io/error.h"
@@ -220,15 +221,26 @@ TEST_P(DumpTest, HoldsEveryListEntryAsADeepSample) {
     EXPECT_GT(samples, 1000u);
 }
 
-TEST_P(DumpTest, EqualDumpsAreEqualFiles) {
-    backend_.build(scene_.mesh, scene_.camera, settings_.grid);
-    std::string first;
-    for (int run = 0; run < 2; ++run) {
+TEST_P(DumpTest, EqualFramesAreEqualFiles) {
+    const char* const files[] = {"triangles.exr", "depth.exr", "ids.exr", "shading.1.exr"};
+    std::map<std::string, std::string> first;
+    for (unsigned threads : {1u, 3u}) {
+        ThreadPool pool(threads);
+        CpuBackend backend(pool);
         Dump dump(folder_.path(), 45, 31, {});
-        dump.ids(backend_.grid(), backend_.geometry());
-        const std::string bytes = test::readFile(folder_ / "ids.exr");
-        if (run == 0) first = bytes;
-        EXPECT_EQ(bytes, first);
+        RenderHooks hooks;
+        hooks.observe = [&](uint32_t, int event) {
+            if (event == 1) dump.shading(backend.readPaths(), event);
+        };
+        Renderer(scene_, settings_, backend).render(hooks);
+        dump.triangles(backend.geometry());
+        dump.depth(backend.grid());
+        dump.ids(backend.grid(), backend.geometry());
+        for (const char* file : files) {
+            const std::string bytes = test::readFile(folder_ / file);
+            if (threads == 1) first[file] = bytes;
+            EXPECT_EQ(bytes, first[file]) << file;
+        }
     }
 }
 
