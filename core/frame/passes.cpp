@@ -4,10 +4,9 @@
 #include "core/path/surface.h"
 #include "core/trace/offset.h"
 #include "shaders/shared/random.h"
-#include "shaders/shared/sampling.h"
+#include "shaders/shared/reflection.h"
 
 #include <algorithm>
-#include <numbers>
 #include <span>
 
 namespace dirt {
@@ -20,24 +19,6 @@ constexpr size_t kGrain = 4096;
 /// Rays that are cast together: enough to keep many threads busy, few enough that they and their
 /// answers stay in the cache.
 constexpr size_t kRaysPerCast = 1 << 16;
-
-bool black(glm::vec3 color) {
-    return !(color.x > 0.0f || color.y > 0.0f || color.z > 0.0f);
-}
-
-/// Cosine for light that arrives from \p direction, zero unless it does so in front of the
-/// geometric and the shading normal alike: what an interpolated normal lets in from behind would
-/// be a leak.
-float shadingCosine(const SurfacePoint& point, glm::vec3 direction) {
-    const float cosine = dotProduct(point.shadingNormal, direction);
-    return dotProduct(point.geometricNormal, direction) > 0.0f && cosine > 0.0f ? cosine : 0.0f;
-}
-
-/// Radiance that \p point reflects of an unoccluded light.
-glm::vec3 reflected(const SurfacePoint& point, const LightSample& light) {
-    const float cosine = shadingCosine(point, light.direction);
-    return point.diffuse * std::numbers::inv_pi_v<float> * light.irradiance * cosine;
-}
 
 /// A ray that leaves the surface at \p point.
 Ray leavingRay(const FrameGeometry& geometry, const SurfacePoint& point, glm::vec3 direction) {
@@ -57,17 +38,10 @@ PathRay scatteredRay(const FrameContext& frame, uint32_t pixel, uint32_t sample,
     const uint32_t seed = frame.settings.seed;
     const float u = randomUnit(pixel, sample, (uint) event, kDimensionScatterU, seed);
     const float v = randomUnit(pixel, sample, (uint) event, kDimensionScatterV, seed);
-    const glm::vec3 direction = cosineAround(point.shadingNormal, u, v);
-    const float cosine = shadingCosine(point, direction);
-    if (!(cosine > 0.0f)) return {};
-    const Ray ray = leavingRay(frame.geometry, point, direction);
-    // Lambert: the cosine and 1/pi of the reflectance cancel against the density.
-    return {ray.origin,
-            ray.skip,
-            direction,
-            cosine * std::numbers::inv_pi_v<float>,
-            throughput * point.diffuse,
-            0.0f};
+    const Scattering next = scatter(point, u, v);
+    if (next.direction == glm::vec3(0.0f)) return {};
+    const Ray ray = leavingRay(frame.geometry, point, next.direction);
+    return {ray.origin, ray.skip, next.direction, next.pdf, throughput * next.weight, 0.0f};
 }
 
 bool goesSomewhere(const PathRay& ray) {
@@ -89,7 +63,7 @@ FrameContext::FrameContext(const Scene& scene, const FrameGeometry& geometry,
       camera(scene.camera, settings.grid.width, settings.grid.height, settings.grid.mode) {
     if (settings.grid.mode == ViewMode::single)
         view.emplace(makeViews(settings.grid, scene.camera).front());
-    if (requirements.light) light.emplace(scene.lights.front(), geometry.frame);
+    if (requirements.light) light = makeGridSpotlight(scene.lights.front(), geometry.frame);
 }
 
 void passDepthMask(Executor& executor, int event, PathBuffers& paths) {
@@ -168,7 +142,7 @@ void passVisibility(const FrameContext& frame, Executor& executor, Tracer& trace
         paths.visibility[i] = 0;
         const SurfacePoint& point = paths.next[i];
         return paths.alive(event, i) && point.found() &&
-               !black(reflected(point, frame.light->sample(point.position)));
+               !black(reflectedRadiance(point, sampleSpotlight(*frame.light, point.position)));
     });
     std::vector<Ray> rays(std::min(kRaysPerCast, pixels.size()));
     std::vector<float> maxT(rays.size());
@@ -178,9 +152,8 @@ void passVisibility(const FrameContext& frame, Executor& executor, Tracer& trace
         executor.forRange(count, kGrain, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
                 const SurfacePoint& point = paths.next[slice[i]];
-                Ray ray =
-                    leavingRay(frame.geometry, point, frame.light->position() - point.position);
-                ray.direction = frame.light->position() - ray.origin;
+                Ray ray = leavingRay(frame.geometry, point, frame.light->position - point.position);
+                ray.direction = frame.light->position - ray.origin;
                 rays[i] = ray;
                 maxT[i] = frame.view ? std::min(frame.view->part(ray).end, 1.0f) : 1.0f;
             }
@@ -205,7 +178,8 @@ void passShade(const FrameContext& frame, Executor& executor, int event, PathBuf
                 paths.radiance[i] += throughput * frame.scene.background;
             if (frame.light && paths.visibility[i])
                 paths.radiance[i] +=
-                    throughput * reflected(point, frame.light->sample(point.position));
+                    throughput *
+                    reflectedRadiance(point, sampleSpotlight(*frame.light, point.position));
         }
     });
 }

@@ -15,25 +15,25 @@ glm::vec2 subPixelOffset(uint32_t sample, uint32_t seed) {
 CameraRays::CameraRays(const Camera& camera, int width, int height, ViewMode mode) {
     const double slopeY = std::tan(camera.verticalFov * (std::numbers::pi / 360.0));
     const double slopeX = slopeY * width / height;
-    slope_ = {(float) -slopeX, (float) -slopeY};
-    step_ = {(float) (2.0 * slopeX / width), (float) (2.0 * slopeY / height)};
+    plane_.slopeX = (float) -slopeX;
+    plane_.slopeY = (float) -slopeY;
+    plane_.stepX = (float) (2.0 * slopeX / width);
+    plane_.stepY = (float) (2.0 * slopeY / height);
     if (mode == ViewMode::single) {
-        right_ = {1, 0, 0};
-        down_ = {0, 1, 0};
-        forward_ = {0, 0, 1};
+        plane_.right = {1, 0, 0};
+        plane_.down = {0, 1, 0};
+        plane_.forward = {0, 0, 1};
     } else {
         const CameraBasis basis = cameraBasis(camera);
-        right_ = basis.right;
-        down_ = basis.down;
-        forward_ = basis.forward;
+        plane_.right = basis.right;
+        plane_.down = basis.down;
+        plane_.forward = basis.forward;
     }
 }
 
 Ray CameraRays::through(float x, float y) const {
-    const float sx = slope_.x + x * step_.x;
-    const float sy = slope_.y + y * step_.y;
     Ray ray;
-    ray.direction = right_ * sx + down_ * sy + forward_;
+    ray.direction = cameraDirection(plane_, x, y);
     return ray;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/grid/geometry.h"
 #include "core/trace/ray.h"
+#include "shaders/shared/camera_rays.h"
 
 #include <cstdint>
 
@@ -23,10 +24,10 @@ public:
     /// Ray through the point (\p x, \p y) of the image plane, in pixels.
     Ray through(float x, float y) const;
 
+    const ImagePlane& plane() const { return plane_; }
+
 private:
-    glm::vec2 slope_; ///< at (0, 0)
-    glm::vec2 step_;  ///< slope per pixel
-    glm::vec3 right_, down_, forward_;
+    ImagePlane plane_;
 };
 
 } // namespace dirt

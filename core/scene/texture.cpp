@@ -1,5 +1,7 @@
 #include "core/scene/texture.h"
 
+#include "shaders/shared/texture_lookup.h"
+
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -21,22 +23,6 @@ std::array<float, 256> makeDecodeTable() {
 
 const std::array<float, 256> kDecode = makeDecodeTable();
 
-/// The two texels between whose centres a coordinate lies, and the second one's weight.
-struct Neighbours {
-    int first, second;
-    float weight;
-};
-
-/// \p position: in periods; any finite number.
-Neighbours neighbours(float position, int size) {
-    // In [0, 1]: 1 where a tiny negative position is rounded up, 0 for all floats from 2^23 on.
-    const float fraction = position - std::floor(position);
-    const float texel = fraction * (float) size - 0.5f;
-    const float lower = std::floor(texel);
-    const int first = (int) lower; // in [-1, size - 1]
-    return {first < 0 ? size - 1 : first, first + 1 < size ? first + 1 : 0, texel - lower};
-}
-
 } // namespace
 
 Texture::Texture(std::string file, int width, int height, std::vector<uint8_t> texels)
@@ -57,13 +43,11 @@ glm::vec3 Texture::texel(int x, int y) const {
 }
 
 glm::vec3 Texture::sample(glm::vec2 uv) const {
-    const Neighbours x = neighbours(uv.x, width_);
-    const Neighbours y = neighbours(-uv.y, height_); // v upwards, rows downwards
-    const glm::vec3 upper =
-        (1.0f - x.weight) * texel(x.first, y.first) + x.weight * texel(x.second, y.first);
-    const glm::vec3 lower =
-        (1.0f - x.weight) * texel(x.first, y.second) + x.weight * texel(x.second, y.second);
-    return (1.0f - y.weight) * upper + y.weight * lower;
+    const TexelPair x = texelsAround(uv.x, width_);
+    const TexelPair y = texelsAround(-uv.y, height_); // v upwards, rows downwards
+    const glm::vec3 upper = blend(texel(x.first, y.first), texel(x.second, y.first), x.weight);
+    const glm::vec3 lower = blend(texel(x.first, y.second), texel(x.second, y.second), x.weight);
+    return blend(upper, lower, y.weight);
 }
 
 } // namespace dirt

@@ -1,6 +1,6 @@
 // The common subset of C++ and GLSL in which the headers of this folder are written, so that both
-// languages compute the same bits: x, +, -, /, sqrt and floor on floats, integers, and no built-in
-// function that an implementation may approximate.
+// languages compute the same bits: x, +, -, /, sqrt, floor and abs on floats and doubles, integers,
+// and no built-in function that an implementation may approximate.
 #ifndef DIRT_SHARED_LANGUAGE_H
 #define DIRT_SHARED_LANGUAGE_H
 
@@ -19,15 +19,18 @@
 #define DIRT_FUNCTION inline
 #define DIRT_OUT(type) type&
 #define DIRT_PRECISE // -ffp-contract=off does it
-#define DIRT_DEFAULT(value) {value}
+#define DIRT_DEFAULT(value)                                                                        \
+    { value }
 
 namespace dirt {
 using uint = uint32_t;
+using glm::dvec3;
 using glm::ivec4;
 using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
+using std::abs;
 using std::floor;
 using std::sqrt;
 inline uint floatBitsToUint(float x) {

@@ -35,10 +35,10 @@ glm::vec3 below(double angle, double turn, double distance) {
 constexpr double kRounding = 24 * 0x1p-24;
 
 TEST(Spotlight, IrradianceFallsWithTheSquareOfTheDistance) {
-    const GridSpotlight light(lightAbove(), GridFrame{});
+    const GridSpotlight light = makeGridSpotlight(lightAbove(), GridFrame{});
     const double intensity = 100.0 / (2.0 * kPi * (1.0 - std::cos(kPi / 4.0)));
     for (double distance : {1e-3, 0.5, 1.0, 3.0, 1000.0}) {
-        const LightSample sample = light.sample(below(0.3, 1.0, distance));
+        const LightSample sample = sampleSpotlight(light, below(0.3, 1.0, distance));
         // The point itself is rounded, relative to the light's height of 2.
         const double bound = kRounding + 4.0 * 0x1p-24 * (2.0 + distance) / distance;
         const double exact = intensity / (distance * distance);
@@ -54,21 +54,23 @@ TEST(Spotlight, PenumbraFallsOffByTheFormula) {
         Spotlight description = lightAbove();
         description.penumbra = 40.0f;
         description.exponent = exponent;
-        const GridSpotlight light(description, GridFrame{});
+        const GridSpotlight light = makeGridSpotlight(description, GridFrame{});
         const double outer = std::cos(kPi / 4.0), inner = std::cos(kPi / 9.0);
-        const double axis = light.sample(below(0.0, 0.0, 1.0)).irradiance.x;
+        const double axis = sampleSpotlight(light, below(0.0, 0.0, 1.0)).irradiance.x;
         for (double angle : {0.1, 0.3, 0.36, 0.5, 0.7, 0.78}) {
             const double part = std::min(1.0, (std::cos(angle) - outer) / (inner - outer));
             const double exact = std::pow(part, (double) exponent);
             // part is a difference of numbers of order 1 over a range of 0.23.
             const double bound = (kRounding / 0.23 / part) * std::max(1.0f, exponent) + 0x1p-20;
             for (double turn : {0.0, 1.0, 4.0})
-                EXPECT_NEAR(light.sample(below(angle, turn, 1.0)).irradiance.x / (exact * axis),
+                EXPECT_NEAR(sampleSpotlight(light, below(angle, turn, 1.0)).irradiance.x /
+                                (exact * axis),
                             1.0, bound)
                     << "exponent " << exponent << ", angle " << angle;
         }
         for (double angle : {0.79, 1.5, 2.0, 3.1})
-            EXPECT_EQ(light.sample(below(angle, 0.5, 1.0)).irradiance, glm::vec3(0.0f)) << angle;
+            EXPECT_EQ(sampleSpotlight(light, below(angle, 0.5, 1.0)).irradiance, glm::vec3(0.0f))
+                << angle;
     }
 }
 
@@ -79,7 +81,7 @@ TEST(Spotlight, FluxIsWhatTheConeEmits) {
         description.aperture = description.penumbra = aperture;
         description.position = description.target = glm::vec3(0.0f);
         description.target.y = -1.0f;
-        const GridSpotlight light(description, GridFrame{});
+        const GridSpotlight light = makeGridSpotlight(description, GridFrame{});
         // Rings of equal solid angle around the axis, out to twice the cone's: the edge falls
         // between two rings, so that the sum is exact but for rounding near it (one ring).
         const int rings = 20000;
@@ -91,7 +93,7 @@ TEST(Spotlight, FluxIsWhatTheConeEmits) {
             const double depth = (ring + 0.5) * step; // 1 - cos(angle) of the ring's middle
             const double side = std::sqrt(depth * (2.0 - depth));
             const glm::vec3 point(side, depth - 1.0, 0.0);
-            flux += light.sample(point).irradiance.x * 2.0 * kPi * step;
+            flux += sampleSpotlight(light, point).irradiance.x * 2.0 * kPi * step;
         }
         EXPECT_NEAR(flux, 100.0, 100.0 * (1.0 / rings)) << aperture;
     }
@@ -100,20 +102,21 @@ TEST(Spotlight, FluxIsWhatTheConeEmits) {
 TEST(Spotlight, SquareFrustum) {
     Spotlight description = lightAbove();
     description.conical = false;
-    const GridSpotlight light(description, GridFrame{});
+    const GridSpotlight light = makeGridSpotlight(description, GridFrame{});
     // Half aperture 45 degrees: |x| and |z| up to the depth are lit, corners included.
-    EXPECT_GT(light.sample({0.99f, 1.0f, 0.99f}).irradiance.x, 0.0f);
-    EXPECT_GT(light.sample({-0.99f, 1.0f, 0.99f}).irradiance.x, 0.0f);
-    EXPECT_EQ(light.sample({1.01f, 1.0f, 0.0f}).irradiance.x, 0.0f);
-    EXPECT_EQ(light.sample({0.0f, 1.0f, -1.01f}).irradiance.x, 0.0f);
-    EXPECT_EQ(light.sample({0.0f, 3.0f, 0.0f}).irradiance.x, 0.0f);
+    EXPECT_GT(sampleSpotlight(light, {0.99f, 1.0f, 0.99f}).irradiance.x, 0.0f);
+    EXPECT_GT(sampleSpotlight(light, {-0.99f, 1.0f, 0.99f}).irradiance.x, 0.0f);
+    EXPECT_EQ(sampleSpotlight(light, {1.01f, 1.0f, 0.0f}).irradiance.x, 0.0f);
+    EXPECT_EQ(sampleSpotlight(light, {0.0f, 1.0f, -1.01f}).irradiance.x, 0.0f);
+    EXPECT_EQ(sampleSpotlight(light, {0.0f, 3.0f, 0.0f}).irradiance.x, 0.0f);
 }
 
 TEST(Spotlight, WorldUnitsAtAnyScaleAndInBothModes) {
     // The same world seen from two eyes and in both modes, enlarged by any factor s with s^2 times
     // the flux: the same irradiance everywhere.
     const glm::vec3 world(0.4f, 0.25f, -0.3f);
-    const float reference = GridSpotlight(lightAbove(), GridFrame{}).sample(world).irradiance.x;
+    const float reference =
+        sampleSpotlight(makeGridSpotlight(lightAbove(), GridFrame{}), world).irradiance.x;
     for (float s : {1e-6f, 1e-3f, 1.0f, 1e6f})
         for (ViewMode mode : {ViewMode::full, ViewMode::single}) {
             Spotlight description = lightAbove();
@@ -127,7 +130,7 @@ TEST(Spotlight, WorldUnitsAtAnyScaleAndInBothModes) {
             mesh.triangles = {{0, 1, 2}};
             const GridFrame frame = makeFrameGeometry(mesh, camera, mode).frame;
             const LightSample sample =
-                GridSpotlight(description, frame).sample(frame.toGrid(world * s));
+                sampleSpotlight(makeGridSpotlight(description, frame), frame.toGrid(world * s));
             // Position and rotation are rounded at coordinates of about 3, the distance is 1.8.
             EXPECT_NEAR(sample.irradiance.x / reference, 1.0, 4 * kRounding) << s;
         }

@@ -1,0 +1,53 @@
+// How a surface point reflects.
+#ifndef DIRT_SHARED_REFLECTION_H
+#define DIRT_SHARED_REFLECTION_H
+
+#include "shaders/shared/layouts.h"
+#include "shaders/shared/sampling.h"
+#include "shaders/shared/spotlight.h"
+
+DIRT_SHARED_BEGIN
+
+const float kOneOverPi = 0.318309886183790672f;
+
+DIRT_FUNCTION bool black(vec3 color) {
+    return !(color.x > 0.0f || color.y > 0.0f || color.z > 0.0f);
+}
+
+/// Cosine for light that arrives from \p direction, zero unless it does so in front of the
+/// geometric and the shading normal alike: what an interpolated normal lets in from behind would
+/// be a leak.
+DIRT_FUNCTION float shadingCosine(SurfacePoint point, vec3 direction) {
+    float cosine = dotProduct(point.shadingNormal, direction);
+    return dotProduct(point.geometricNormal, direction) > 0.0f && cosine > 0.0f ? cosine : 0.0f;
+}
+
+/// Radiance that \p point reflects of an unoccluded light.
+DIRT_FUNCTION vec3 reflectedRadiance(SurfacePoint point, LightSample light) {
+    float cosine = shadingCosine(point, light.direction);
+    DIRT_PRECISE vec3 radiance = point.diffuse * kOneOverPi * light.irradiance * cosine;
+    return radiance;
+}
+
+/// How a path goes on.
+struct Scattering {
+    vec3 direction; // unit length; zero where it would leave through the surface: the path ends
+    float pdf;      // over solid angle
+    vec3 weight;    // reflectance times cosine over pdf
+};
+
+/// \p u, \p v: uniform in [0, 1).
+DIRT_FUNCTION Scattering scatter(SurfacePoint point, float u, float v) {
+    Scattering result;
+    result.direction = cosineAround(point.shadingNormal, u, v);
+    float cosine = shadingCosine(point, result.direction);
+    DIRT_PRECISE float pdf = cosine * kOneOverPi;
+    result.pdf = pdf;
+    result.weight = point.diffuse; // Lambert: the cosine and 1/pi cancel against the density
+    if (!(cosine > 0.0f)) result.direction = vec3(0.0f);
+    return result;
+}
+
+DIRT_SHARED_END
+
+#endif

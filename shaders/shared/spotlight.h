@@ -1,0 +1,82 @@
+#ifndef DIRT_SHARED_SPOTLIGHT_H
+#define DIRT_SHARED_SPOTLIGHT_H
+
+#include "shaders/shared/exponential.h"
+#include "shaders/shared/sampling.h"
+
+DIRT_SHARED_BEGIN
+
+/// A spotlight in the grid frame (std140).
+struct GridSpotlight {
+    vec3 position DIRT_DEFAULT(0.0f);
+    float outer DIRT_DEFAULT(0.0f); // 1 - cos of the half aperture
+    vec3 axis DIRT_DEFAULT(0.0f);   // unit vectors: axis, right, up
+    float range DIRT_DEFAULT(0.0f); // outer less the same of the penumbra
+    vec3 right DIRT_DEFAULT(0.0f);
+    float exponent DIRT_DEFAULT(0.0f);
+    vec3 up DIRT_DEFAULT(0.0f);
+    uint conical DIRT_DEFAULT(0u);     // 0: a square frustum
+    vec3 intensity DIRT_DEFAULT(0.0f); // on the axis; per squared length of the grid frame, so
+    float unused DIRT_DEFAULT(0.0f);   //   that irradiance is in world units
+};
+
+/// What a point receives from a light, if nothing is between them.
+struct LightSample {
+    vec3 toLight;    // light minus point, grid frame
+    vec3 direction;  // the same with unit length
+    vec3 irradiance; // on a surface that faces the light; zero outside its cone
+};
+
+/// Part of the intensity on the axis that goes in the direction \p fromLight.
+DIRT_FUNCTION float spotlightFalloff(GridSpotlight light, vec3 fromLight) {
+    float x = dotProduct(fromLight, light.right);
+    float y = dotProduct(fromLight, light.up);
+    float z = dotProduct(fromLight, light.axis);
+    bool conical = light.conical != 0u;
+    if (!conical && !(z > 0.0f)) return 0.0f;
+    DIRT_PRECISE float xx = x * x;
+    DIRT_PRECISE float yy = y * y;
+    // Squared distance from the axis; for the square frustum that of the larger coordinate, so
+    // that the angle is taken to the frustum's nearest side.
+    DIRT_PRECISE float side = conical ? xx + yy : (xx < yy ? yy : xx);
+    DIRT_PRECISE float length = sqrt(side + z * z);
+    // 1 - cos = sin^2 / (1 + cos), free of cancellation in front of the light.
+    DIRT_PRECISE float angle = z > 0.0f ? side / (length * (length + z)) : 1.0f - z / length;
+    DIRT_PRECISE float inside = light.outer - angle;
+    if (!(angle < light.outer)) return 0.0f;
+    if (!(inside < light.range)) return 1.0f;
+    DIRT_PRECISE float part = inside / light.range;
+    return light.exponent == 1.0f ? part : unitPower(part, light.exponent);
+}
+
+/// What \p point receives, in the grid frame.
+DIRT_FUNCTION LightSample sampleSpotlight(GridSpotlight light, vec3 point) {
+    LightSample result;
+    DIRT_PRECISE vec3 toLight = light.position - point;
+    result.toLight = toLight;
+    result.direction = vec3(0.0f);
+    result.irradiance = vec3(0.0f);
+    float squared = dotProduct(toLight, toLight);
+    if (!(squared > 0.0f)) return result;
+    DIRT_PRECISE vec3 direction = toLight * (1.0f / sqrt(squared));
+    DIRT_PRECISE vec3 irradiance = light.intensity * (spotlightFalloff(light, -toLight) / squared);
+    result.direction = direction;
+    result.irradiance = irradiance;
+    return result;
+}
+
+DIRT_SHARED_END
+
+#ifdef __cplusplus
+
+#include <cstddef>
+
+namespace dirt {
+static_assert(sizeof(GridSpotlight) == 80 && offsetof(GridSpotlight, axis) == 16 &&
+              offsetof(GridSpotlight, right) == 32 && offsetof(GridSpotlight, up) == 48 &&
+              offsetof(GridSpotlight, intensity) == 64);
+} // namespace dirt
+
+#endif
+
+#endif

@@ -1,0 +1,49 @@
+// What Fetch makes of a triangle's attributes.
+#ifndef DIRT_SHARED_SURFACE_H
+#define DIRT_SHARED_SURFACE_H
+
+#include "shaders/shared/sampling.h"
+
+DIRT_SHARED_BEGIN
+
+/// Attributes \p a, \p b and \p c of three vertices at the barycentric weights (\p u, \p v).
+DIRT_FUNCTION vec3 interpolate(vec3 a, vec3 b, vec3 c, float u, float v) {
+    DIRT_PRECISE vec3 value = a * (1.0f - u - v) + b * u + c * v;
+    return value;
+}
+DIRT_FUNCTION vec2 interpolate(vec2 a, vec2 b, vec2 c, float u, float v) {
+    DIRT_PRECISE vec2 value = a * (1.0f - u - v) + b * u + c * v;
+    return value;
+}
+
+/// \p normal or its opposite, whichever lies on the side of \p towards.
+DIRT_FUNCTION vec3 facing(vec3 normal, vec3 towards) {
+    return dotProduct(normal, towards) < 0.0f ? -normal : normal;
+}
+
+/// Normal of a triangle with an area. In double, since in float a sliver's would be noise: edges
+/// and products lose next to nothing there.
+DIRT_FUNCTION vec3 triangleNormal(vec3 a, vec3 b, vec3 c) {
+    DIRT_PRECISE dvec3 e = dvec3(b) - dvec3(a);
+    DIRT_PRECISE dvec3 f = dvec3(c) - dvec3(a);
+    DIRT_PRECISE dvec3 n =
+        dvec3(e.y * f.z - f.y * e.z, e.z * f.x - f.z * e.x, e.x * f.y - f.x * e.y);
+    double largest = abs(n.x);
+    if (abs(n.y) > largest) largest = abs(n.y);
+    if (abs(n.z) > largest) largest = abs(n.z);
+    if (!(largest > double(0.0f))) return vec3(0.0f, 0.0f, 1.0f);
+    DIRT_PRECISE dvec3 scaled = n / largest;
+    return unitVector(vec3(scaled));
+}
+
+/// Normal for shading of an interpolated \p normal: on the side of the \p geometric one, which it
+/// gives way to where it has no direction. Unit normals cancel only where they are opposite; NaN
+/// fails the comparison as well.
+DIRT_FUNCTION vec3 shadingNormalFrom(vec3 normal, vec3 geometric) {
+    if (!(dotProduct(normal, normal) > 1e-12f)) return geometric;
+    return facing(unitVector(normal), geometric);
+}
+
+DIRT_SHARED_END
+
+#endif
