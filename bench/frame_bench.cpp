@@ -83,21 +83,6 @@ const char* framePartName(FramePart part) {
     return kNames[(size_t) part];
 }
 
-double Timing::median() const {
-    std::vector<double> sorted = ms;
-    std::sort(sorted.begin(), sorted.end());
-    const size_t half = sorted.size() / 2;
-    return sorted.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
-}
-
-double Timing::least() const {
-    return *std::min_element(ms.begin(), ms.end());
-}
-
-double Timing::most() const {
-    return *std::max_element(ms.begin(), ms.end());
-}
-
 FrameReport benchFrame(const Scene& scene, const RenderSettings& settings, Backend& dirt,
                        Backend& embree, Executor& executor, int rounds) {
     const GridSettings& grid = settings.grid;
@@ -117,8 +102,7 @@ FrameReport benchFrame(const Scene& scene, const RenderSettings& settings, Backe
     report.dirt.bytes = totalBytes(dirt);
     report.embree.bytes = totalBytes(embree);
     report.listEntries = dirt.listEntries();
-    if (auto* cpu = dynamic_cast<CpuBackend*>(&dirt))
-        report.work = countWork(cpu->tracer(), rays);
+    if (auto* cpu = dynamic_cast<CpuBackend*>(&dirt)) report.work = countWork(cpu->tracer(), rays);
     return report;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "backend_cpu/tracer.h"
+#include "bench/timing.h"
 #include "core/frame/renderer.h"
 
 #include <array>
@@ -14,14 +15,6 @@ enum class FramePart { build, primary, trace, shadow };
 inline constexpr std::array kFrameParts{FramePart::build, FramePart::primary, FramePart::trace,
                                         FramePart::shadow};
 const char* framePartName(FramePart part);
-
-/// Times of one part in all rounds, milliseconds.
-struct Timing {
-    std::vector<double> ms;
-    double median() const;
-    double least() const;
-    double most() const;
-};
 
 /// One side's times and memory.
 struct SideReport {

@@ -146,6 +146,8 @@ void addBench(CLI::App& program, int& status) {
         runFrame(*options);
         status = 0;
     });
+    addBenchTradeoff(*command, status);
+    addBenchScaling(*command, status);
 }
 
 } // namespace dirt

@@ -23,6 +23,12 @@ void addCompare(CLI::App& program, int& status);
 /// `dirt bench frame SCENE…`: times beside Embree's.
 void addBench(CLI::App& program, int& status);
 
+/// `dirt bench tradeoff SCENE`: time, memory and error against each choice.
+void addBenchTradeoff(CLI::App& bench, int& status);
+
+/// `dirt bench scaling`: time against triangles and resolution.
+void addBenchScaling(CLI::App& bench, int& status);
+
 /// `dirt info SCENE`: what a scene holds and what its structure costs.
 void addInfo(CLI::App& program, int& status);
 

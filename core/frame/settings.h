@@ -19,6 +19,8 @@ struct GridSettings {
     int bins = 16;    ///< per tile
     int maxMip = -1;  ///< highest pyramid level used; -1: all
     Traversal traversal = Traversal::hierarchical;
+
+    bool operator==(const GridSettings&) const = default;
 };
 
 /// How primary rays find their surface: by rasterization, or traced like all others.
@@ -36,6 +38,8 @@ struct RenderSettings {
     uint32_t seed = 0;
     Primary primary = Primary::raster;
     Fetch fetch = Fetch::raster;
+
+    bool operator==(const RenderSettings&) const = default;
 };
 
 } // namespace dirt

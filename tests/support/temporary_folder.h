@@ -38,9 +38,11 @@ public:
     }
 
     /// The names of what is in the folder itself.
-    std::set<std::string> names() const {
+    std::set<std::string> names() const { return namesIn(path_); }
+
+    static std::set<std::string> namesIn(const std::filesystem::path& folder) {
         std::set<std::string> found;
-        for (const auto& entry : std::filesystem::directory_iterator(path_))
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
             found.insert(entry.path().filename().string());
         return found;
     }
