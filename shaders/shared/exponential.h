@@ -51,6 +51,32 @@ DIRT_FUNCTION float unitPower(float x, float y) {
     return powerOfTwo(exponent);
 }
 
+/// e^x with a relative error below 2^-22 (1 + |x|); 0 below -86, the largest float above 88.
+DIRT_FUNCTION float exponential(float x) {
+    DIRT_PRECISE float exponent = x * 1.4426950216293335f;
+    return powerOfTwo(exponent);
+}
+
+/// log(1 + x) for x >= 0, to a few ulp for tiny x as well: what is lost in 1 + x cancels in the
+/// quotient (W. Kahan).
+DIRT_FUNCTION float logOnePlus(float x) {
+    DIRT_PRECISE float sum = 1.0f + x;
+    DIRT_PRECISE float rounded = sum - 1.0f;
+    if (rounded == 0.0f) return x;
+    DIRT_PRECISE float result = naturalLog(sum) * (x / rounded);
+    return result;
+}
+
+/// e^x - 1 for x >= 0, to a few ulp for tiny x as well, in the same way.
+DIRT_FUNCTION float exponentialMinusOne(float x) {
+    float power = exponential(x);
+    DIRT_PRECISE float difference = power - 1.0f;
+    if (difference == 0.0f) return x;
+    if (x > 16.0f) return difference;
+    DIRT_PRECISE float result = difference * (x / naturalLog(power));
+    return result;
+}
+
 DIRT_SHARED_END
 
 #endif

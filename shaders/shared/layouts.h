@@ -46,11 +46,11 @@ struct SurfacePoint {
     vec3 geometricNormal DIRT_DEFAULT(0.0f);
     float u DIRT_DEFAULT(0.0f); // barycentric weight of vertex b
     vec3 shadingNormal DIRT_DEFAULT(0.0f);
-    float v DIRT_DEFAULT(0.0f);      // barycentric weight of vertex c
-    vec3 diffuse DIRT_DEFAULT(0.0f); // Kd or the texel of map_Kd, linear Rec.709
-    float unused0 DIRT_DEFAULT(0.0f);
-    vec3 emission DIRT_DEFAULT(0.0f); // Ke, radiance, on both sides
-    float unused1 DIRT_DEFAULT(0.0f);
+    float v DIRT_DEFAULT(0.0f);         // barycentric weight of vertex c
+    vec3 diffuse DIRT_DEFAULT(0.0f);    // Kd or the texel of map_Kd, linear Rec.709
+    float roughness DIRT_DEFAULT(0.0f); // of the microfacets; where the scene has gloss
+    vec3 emission DIRT_DEFAULT(0.0f);   // Ke, radiance, on both sides
+    uint gloss DIRT_DEFAULT(0u);        // reflectance and metallic (glossy_reflection.h), likewise
 
 #ifdef __cplusplus
     bool found() const {

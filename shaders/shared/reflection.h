@@ -8,8 +8,6 @@
 
 DIRT_SHARED_BEGIN
 
-const float kOneOverPi = 0.318309886183790672f;
-
 DIRT_FUNCTION bool black(vec3 color) {
     return !(color.x > 0.0f || color.y > 0.0f || color.z > 0.0f);
 }
@@ -29,14 +27,7 @@ DIRT_FUNCTION vec3 reflectedRadiance(SurfacePoint point, LightSample light) {
     return radiance;
 }
 
-/// How a path goes on.
-struct Scattering {
-    vec3 direction; // unit length; zero where it would leave through the surface: the path ends
-    float pdf;      // over solid angle
-    vec3 weight;    // reflectance times cosine over pdf
-};
-
-/// \p u, \p v: uniform in [0, 1).
+/// How a path goes on from a surface without gloss, as Lambert has it. \p u, \p v: in [0, 1).
 DIRT_FUNCTION Scattering scatter(SurfacePoint point, float u, float v) {
     Scattering result;
     result.direction = cosineAround(point.shadingNormal, u, v);

@@ -5,6 +5,15 @@
 
 DIRT_SHARED_BEGIN
 
+const float kOneOverPi = 0.318309886183790672f;
+
+/// How a path goes on.
+struct Scattering {
+    vec3 direction; // unit length; zero where it would leave through the surface: the path ends
+    float pdf;      // over solid angle; 0 of a direction that a mirror leaves no choice of
+    vec3 weight;    // reflectance times cosine over pdf
+};
+
 /// x a.x + y a.y + z a.z in a fixed order.
 DIRT_FUNCTION float dotProduct(vec3 a, vec3 b) {
     DIRT_PRECISE float sum = a.x * b.x + a.y * b.y + a.z * b.z;

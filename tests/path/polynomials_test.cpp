@@ -1,4 +1,4 @@
-#include "shaders/shared/exponential.h"
+#include "shaders/shared/error_function.h"
 #include "shaders/shared/trigonometry.h"
 
 #include <algorithm>
@@ -90,6 +90,24 @@ TEST(Polynomials, PowerOfUnitNumbers) {
             const double bound = 0x1p-22 * (1.0 - y * std::log2((double) x));
             ASSERT_NEAR(unitPower(x, y) / exact, 1.0, bound) << x << "^" << y;
         }
+}
+
+TEST(Polynomials, ExponentialNearZeroAndFar) {
+    for (float x = 0x1p-40f; x < 16.0f; x *= 1.01f) {
+        EXPECT_NEAR(exponential(-x) / std::exp(-(double) x), 1.0, 0x1p-22 * (1.0 + x)) << x;
+        EXPECT_NEAR(exponentialMinusOne(x) / std::expm1((double) x), 1.0, 0x1p-21 * (1.0 + x)) << x;
+        EXPECT_NEAR(logOnePlus(x) / std::log1p((double) x), 1.0, 0x1p-22) << x;
+    }
+    EXPECT_EQ(exponentialMinusOne(0.0f), 0.0f);
+    EXPECT_EQ(logOnePlus(0.0f), 0.0f);
+}
+
+TEST(Polynomials, ErrorFunction) {
+    for (float x = 0x1p-20f; x < 5.0f; x *= 1.003f) {
+        const double exact = std::erfc((double) x), gaussian = std::exp(-(double) x * x);
+        EXPECT_NEAR(scaledErrorComplement(x) / (exact / gaussian), 1.0, 6e-7) << x;
+        EXPECT_NEAR(errorComplement(-x, (float) gaussian) / (2.0 - exact), 1.0, 6e-7) << x;
+    }
 }
 
 } // namespace
