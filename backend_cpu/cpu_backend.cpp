@@ -18,9 +18,15 @@ std::string CpuBackend::device() const {
            (executor_.threads() == 1 ? " thread" : " threads");
 }
 
+void CpuBackend::expectLight(const Spotlight* light) {
+    light_.reset();
+    if (light) light_ = *light;
+}
+
 void CpuBackend::clear(const Camera& camera, const GridSettings& settings) {
     grid_ = {}; // before the next one is allocated
     tracer_.reset();
+    lightGrid_ = {};
     grid_ = makeEmptyGrid(camera, settings);
 }
 
@@ -34,17 +40,19 @@ void CpuBackend::fillDepthMipmap() {
 
 void CpuBackend::fillPrimitives() {
     builder_.fillPrimitives(*geometry_, grid_);
+    if (light_) fillLightGrid(*geometry_, *light_, executor_, lightGrid_);
     makeLeaves();
 }
 
 void CpuBackend::makeLeaves() {
     fillLeaves(*geometry_, grid_, executor_, leaves_);
-    tracer_.emplace(*geometry_, grid_, leaves_);
+    tracer_.emplace(*geometry_, grid_, leaves_, &lightGrid_);
 }
 
 void CpuBackend::writeGrid(const Grid& grid) {
     grid_ = grid;
     tracer_.reset();
+    lightGrid_ = {}; // the rays go through what was written
 }
 
 const LeafTracer& CpuBackend::tracer() {
@@ -111,6 +119,7 @@ std::vector<BufferSize> CpuBackend::memory() const {
                                      {"id buffer heads", grid_.heads.size() * sizeof(uint32_t)},
                                      {"id buffer", grid_.ids.size() * sizeof(uint32_t)},
                                      {"leaf blocks", leaves_.bytes()}});
+    if (!lightGrid_.empty()) sizes.push_back({"light grid", lightGrid_.bytes()});
     return sizes;
 }
 

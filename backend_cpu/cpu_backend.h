@@ -17,6 +17,7 @@ public:
     std::string name() const override { return "cpu"; }
     std::string device() const override;
 
+    void expectLight(const Spotlight* light) override;
     void clear(const Camera& camera, const GridSettings& settings) override;
     void fillDepth() override;
     void fillDepthMipmap() override;
@@ -51,6 +52,8 @@ private:
     GridBuilder builder_;
     Grid grid_;
     Leaves leaves_;
+    std::optional<Spotlight> light_; ///< that rays are expected to end in
+    LightGrid lightGrid_;
     std::optional<LeafTracer> tracer_; ///< none: the leaves are not those of the grid
 };
 

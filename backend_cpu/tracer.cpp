@@ -12,6 +12,7 @@
 #include <hwy/foreach_target.h>
 
 #include "backend_cpu/leaf_test-inl.h"
+#include "backend_cpu/light_test-inl.h"
 #include "backend_cpu/tile_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -182,6 +183,15 @@ public:
         }
     }
 
+    /// A triangle that is hit beyond doubt between the origin and t = 1.
+    void testCertain(uint32_t id, LeafCounts& counts) {
+        const bool whole = maxT_ >= 1.0f && !tracer_.cone;
+        if (!whole)
+            test(id, tracer_.geometry.triangles[id], counts);
+        else if (!skips(tracer_.geometry, ray_, id, tracer_.geometry.triangles[id]))
+            found = true;
+    }
+
     bool found = false;
     double limit;
 
@@ -222,20 +232,51 @@ void Closest(const LeafTracer& tracer, std::span<const Ray> rays, std::span<Hit>
     }
 }
 
+bool OccludedInLeaves(const LeafTracer& tracer, const Ray& ray, float maxT, LeafCounts& counts) {
+    AnyQuery query(tracer, ray, maxT);
+    if (!needsCore(tracer, ray) && Traversal(tracer, ray, query, counts).run()) return query.found;
+    ++counts.scalar;
+    return anyHit(tracer.grid, tracer.geometry, ray, maxT);
+}
+
+/// The ray from the light's point of view: one list, up to the depth of its origin.
+bool OccludedFromLight(const LeafTracer& tracer, const LightRay& seen, const Ray& ray, float maxT,
+                       LeafCounts& counts) {
+    const LightGrid& grid = *tracer.light;
+    AnyQuery query(tracer, ray, maxT);
+    ++counts.lookups;
+    const auto& triangles = tracer.geometry.triangles;
+    for (const uint32_t id : grid.close) query.test(id, triangles[id], counts);
+    const LightEntry* entry = grid.entries.data() + grid.heads[seen.tile];
+    const LightEntry* const end = grid.entries.data() + grid.heads[seen.tile + 1];
+    for (; entry != end && entry->near <= seen.depth && !query.found; ++entry) {
+        ++counts.listed;
+        const LightRecord& record = grid.records[entry->record];
+        switch (testRecord(record, seen)) {
+        case LightTest::misses:
+            break;
+        case LightTest::mayHit:
+            query.test(record.id, triangles[record.id], counts);
+            break;
+        case LightTest::hits:
+            query.testCertain(record.id, counts);
+            break;
+        }
+    }
+    return query.found;
+}
+
 void Occluded(const LeafTracer& tracer, std::span<const Ray> rays, std::span<const float> maxT,
               std::span<uint8_t> result, LeafCounts& counts) {
+    LightRay seen;
     for (size_t i = 0; i < rays.size(); ++i) {
         const Ray ray = flushedRay(rays[i]);
-        if (ray.skip != kNoPrimitive) hwy::Prefetch(&tracer.geometry.triangles[ray.skip]);
         result[i] = 0;
         if (!isTraceable(ray) || !(maxT[i] > 0.0f)) continue;
-        AnyQuery query(tracer, ray, maxT[i]);
-        if (!needsCore(tracer, ray) && Traversal(tracer, ray, query, counts).run()) {
-            result[i] = query.found;
-        } else {
-            ++counts.scalar;
-            result[i] = anyHit(tracer.grid, tracer.geometry, ray, maxT[i]);
-        }
+        if (tracer.light) seen.set(*tracer.light, ray, maxT[i]);
+        result[i] = seen.tile == LightRay::kNoTile
+                        ? OccludedInLeaves(tracer, ray, maxT[i], counts)
+                        : OccludedFromLight(tracer, seen, ray, maxT[i], counts);
     }
 }
 
@@ -248,8 +289,10 @@ namespace dirt {
 HWY_EXPORT(Closest);
 HWY_EXPORT(Occluded);
 
-LeafTracer::LeafTracer(const FrameGeometry& geometry, const Grid& grid, const Leaves& leaves)
-    : geometry(geometry), grid(grid), leaves(leaves) {
+LeafTracer::LeafTracer(const FrameGeometry& geometry, const Grid& grid, const Leaves& leaves,
+                       const LightGrid* light)
+    : geometry(geometry), grid(grid), leaves(leaves),
+      light(light && !light->empty() ? light : nullptr) {
     const GridSettings& settings = grid.settings;
     for (size_t v = 0; v < grid.views.size(); ++v) {
         const View& view = grid.views[v];

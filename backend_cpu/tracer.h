@@ -1,6 +1,7 @@
 #pragma once
 
 #include "backend_cpu/leaves.h"
+#include "backend_cpu/light_grid.h"
 #include "core/trace/traverse.h"
 #include "core/trace/view_cone.h"
 
@@ -12,12 +13,14 @@ namespace dirt {
 
 /// What the traversal of the leaves did.
 struct LeafCounts {
-    uint64_t steps = 0;  ///< tiles looked at
-    uint64_t tiles = 0;  ///< tiles whose lists were visited
-    uint64_t nodes = 0;  ///< nodes tested
-    uint64_t blocks = 0; ///< blocks of eight triangles tested
-    uint64_t exact = 0;  ///< triangles that went on to core's exact decision
-    uint64_t scalar = 0; ///< rays left to core's traversal
+    uint64_t steps = 0;   ///< tiles looked at
+    uint64_t tiles = 0;   ///< tiles whose lists were visited
+    uint64_t nodes = 0;   ///< nodes tested
+    uint64_t blocks = 0;  ///< blocks of eight triangles tested
+    uint64_t exact = 0;   ///< triangles that went on to core's exact decision
+    uint64_t scalar = 0;  ///< rays left to core's traversal
+    uint64_t lookups = 0; ///< shadow rays answered by the light grid, and
+    uint64_t listed = 0;  ///< triangles looked at there
 };
 
 inline constexpr int kMaxViews = 6;
@@ -44,8 +47,10 @@ struct ViewTable {
 /// Traces rays through the leaves of a grid: the hits of core's traversal, to the bit.
 class LeafTracer {
 public:
-    /// All arguments must stay alive and unchanged while rays are traced.
-    LeafTracer(const FrameGeometry& geometry, const Grid& grid, const Leaves& leaves);
+    /// All arguments must stay alive and unchanged while rays are traced. \p light, if any, answers
+    /// for the rays that end in its point.
+    LeafTracer(const FrameGeometry& geometry, const Grid& grid, const Leaves& leaves,
+               const LightGrid* light = nullptr);
 
     /// Nearest hits, as core's closestHit. \p counts, if any, gets what was done added.
     void closest(std::span<const Ray> rays, std::span<Hit> hits,
@@ -57,6 +62,7 @@ public:
     const FrameGeometry& geometry;
     const Grid& grid;
     const Leaves& leaves;
+    const LightGrid* light;
     std::vector<TracedView> views;
     ViewTable viewTable;
     std::optional<ViewCone> cone; ///< single mode: where rays end

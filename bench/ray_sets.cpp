@@ -15,6 +15,7 @@ public:
 
     std::string name() const override { return inner_.name(); }
     std::string device() const override { return inner_.device(); }
+    void expectLight(const Spotlight* light) override { inner_.expectLight(light); }
     void clear(const Camera& camera, const GridSettings& settings) override {
         camera_ = camera;
         settings_ = settings;

@@ -26,13 +26,15 @@ struct BenchOptions {
 
 #ifdef DIRT_HAVE_EMBREE
 
-std::array<std::pair<const char*, uint64_t>, 6> namedCounts(const LeafCounts& c) {
+std::array<std::pair<const char*, uint64_t>, 8> namedCounts(const LeafCounts& c) {
     return {{{"steps", c.steps},
              {"tiles", c.tiles},
              {"nodes", c.nodes},
              {"blocks", c.blocks},
              {"exact", c.exact},
-             {"scalar", c.scalar}}};
+             {"scalar", c.scalar},
+             {"lookups", c.lookups},
+             {"listed", c.listed}}};
 }
 
 void printFrame(std::FILE* file, const Input& input, const FrameReport& report) {

@@ -74,6 +74,7 @@ Json bufferJson(const Requirements& need, const Input& input, const Backend& bac
     for (const PlannedBuffer& row :
          planStructure(grid, scene.camera, scene.mesh.triangles.size(), backend.listEntries()))
         reasons[row.name] = row.reason;
+    reasons["light grid"] = "triangles as the light sees them, for shadow rays";
     Json rows = Json::array();
     for (const auto& [name, bytes] : backend.memory()) {
         const auto known = reasons.find(name);
@@ -207,6 +208,8 @@ void runInfo(const InfoOptions& options) {
     const Input input = openInput(common, *executor);
     const auto backend = makeBackend(options.common, *executor);
     const Scene& scene = input.scene;
+    const bool light = requirementsOf(scene, input.settings, backend->rasterizes()).light;
+    backend->expectLight(light ? &scene.lights.front() : nullptr);
     const auto build = backend->build(scene.mesh, scene.camera, input.settings.grid);
 
     const Json info = describe(input, *backend, *executor, build);

@@ -87,10 +87,11 @@ RenderResult Renderer::render(const RenderHooks& hooks) {
     const auto start = std::chrono::steady_clock::now();
     RenderResult result;
     PassClock clock;
-    result.build = backend_.build(scene_.mesh, scene_.camera, settings_.grid);
-
     Requirements need = requirementsOf(scene_, settings_, backend_.rasterizes());
     need.previousPoint |= previousPoint_;
+    backend_.expectLight(need.light ? &scene_.lights.front() : nullptr);
+    result.build = backend_.build(scene_.mesh, scene_.camera, settings_.grid);
+
     backend_.beginFrame(scene_, settings_, need);
     Samples samples(settings_, !need.tracedPrimary, backend_, hooks, clock);
     while (result.samples < settings_.samples && samples.run((uint32_t) result.samples)) {

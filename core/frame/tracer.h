@@ -2,6 +2,7 @@
 
 #include "core/frame/settings.h"
 #include "core/grid/geometry.h"
+#include "core/scene/light.h"
 #include "core/trace/ray.h"
 
 #include <cstdint>
@@ -30,6 +31,10 @@ public:
 
     virtual std::string name() const = 0;
     virtual std::string device() const = 0;
+
+    /// Of the builds that follow: many rays will end in this light, or (null) in none. A tracer may
+    /// build more for these; answers are the same.
+    virtual void expectLight(const Spotlight*) {}
 
     /// Builds everything anew and says how long each pass took. \p geometry must stay alive and
     /// unchanged while rays are cast.

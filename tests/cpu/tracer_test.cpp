@@ -9,9 +9,8 @@
 #include "tests/io/test_scenes.h"
 #include "tests/support/grid_rays.h"
 #include "tests/support/print.h"
+#include "tests/support/simd_targets.h"
 #include "tests/support/small_scenes.h"
-
-#include <hwy/targets.h>
 
 #include <gtest/gtest.h>
 
@@ -21,23 +20,6 @@
 
 namespace dirt::test {
 namespace {
-
-/// Each instruction set in turn, and the best again in the end.
-template <class Body>
-void forEachTarget(Body&& body) {
-    std::vector<int64_t> targets;
-    for (int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1)
-        targets.push_back(rest & -rest);
-    for (const int64_t target : targets) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        SCOPED_TRACE(hwy::TargetName(target));
-        body();
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    EXPECT_GT(targets.size(), 1u);
-}
 
 bool sameHit(const Hit& a, const Hit& b) {
     return a.primitive == b.primitive &&

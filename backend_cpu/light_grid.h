@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/frame/executor.h"
+#include "core/grid/geometry.h"
+#include "core/scene/light.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace dirt {
+
+/// Planes of a triangle as the light sees it. Lanes 0 to 2 are the planes through the light and an
+/// edge, positive inside; lane 3 is the triangle's own, less `offset`, positive beyond it. At p, a
+/// point seen from the light, lane k is x[k] p.x + y[k] p.y + z[k] p.z.
+struct alignas(64) LightRecord {
+    float x[4], y[4], z[4];
+    float offset;
+    float margin; ///< per |p|: nearer to zero a lane decides nothing
+    uint32_t id;  ///< of the triangle
+    uint32_t unused = 0;
+};
+static_assert(sizeof(LightRecord) == 64);
+
+/// An entry of a tile's list: a triangle, and a depth before which none of it lies in the tile.
+struct LightEntry {
+    float near;
+    uint32_t record;
+};
+
+/// A face of the cube around the light, and the tiles on it that the light's cone may reach.
+struct LightFace {
+    int axisX, axisY, axisW; ///< components of the grid frame
+    float signW;
+    int column = 0, row = 0; ///< the first
+    int columns = 0, rows = 0;
+    uint32_t firstTile = 0; ///< in the numbering over all faces
+};
+
+/// One more view of the frame's geometry: from a spotlight's position. A shadow ray, reversed,
+/// starts in that point, so all of it lies in one tile; whatever may occlude it is in one list, in
+/// the order of depth. docs/grid.md says why nothing is missed.
+struct LightGrid {
+    glm::vec3 position{0.0f};
+    int tiles = 0;        ///< along a face; 0: there is no light grid
+    float reach = 0.0f;   ///< largest |p| of a ray's origin that the bounds hold for,
+    float nearest = 0.0f; ///< and least: nothing listed is nearer to the light
+    std::array<LightFace, 6> faces;
+
+    std::vector<uint32_t> heads; ///< tiles + 1
+    std::vector<LightEntry> entries;
+    std::vector<LightRecord> records;
+    std::vector<uint32_t> close; ///< triangles that may be nearer than that: any ray may meet them
+
+    bool empty() const { return tiles == 0; }
+    uint64_t bytes() const;
+};
+
+/// Fills the light grid of \p light. It stays empty where too much is close to the light. The same
+/// bits for any number of threads.
+void fillLightGrid(const FrameGeometry& geometry, const Spotlight& light, Executor& executor,
+                   LightGrid& grid);
+
+} // namespace dirt
