@@ -5,7 +5,6 @@
 #include "app/cli/structure_options.h"
 #include "core/io/error.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <vector>
@@ -23,7 +22,8 @@ struct CheckOptions {
 BackendKind kindOf(const std::string& name) {
     if (name == "cpu") return BackendKind::cpu;
     if (name == "gl") return BackendKind::gl;
-    throw InputError("--backends: '" + name + "' is none of cpu, gl");
+    if (name == "embree") return BackendKind::embree;
+    throw InputError("--backends: '" + name + "' is none of cpu, gl, embree");
 }
 
 /// Lists are the one buffer whose entries are missing or too many, rather than wrong in value.
@@ -34,77 +34,97 @@ uint64_t wrongEntries(const std::vector<CheckRow>& rows) {
     return wrong;
 }
 
-bool allowed(const std::vector<CheckRow>& rows) {
-    return std::all_of(rows.begin(), rows.end(),
-                       [](const CheckRow& row) { return row.different == 0; });
+/// "Trace 1", or only the name where there is no path event.
+std::string passName(const CheckRow& row) {
+    return row.event < 0 ? row.pass : row.pass + " " + std::to_string(row.event);
 }
 
-void printRows(std::FILE* file, const std::vector<CheckRow>& rows) {
-    std::fprintf(file, "%-16s %-24s %-13s %10s %10s %10s %10s\n", "pass", "buffer", "", "compared",
+void printRows(std::FILE* file, const CheckReport& report, const CheckOptions& options) {
+    std::fprintf(file, "%-18s %-24s %-15s %10s %10s %10s %10s\n", "pass", "buffer", "", "compared",
                  "equal", "tolerated", "different");
-    for (const CheckRow& row : rows)
-        std::fprintf(file, "%-16s %-24s %-13s %10llu %10llu %10llu %10llu\n", row.pass.c_str(),
+    for (const CheckRow& row : report.rows)
+        std::fprintf(file, "%-18s %-24s %-15s %10llu %10llu %10llu %10llu\n", passName(row).c_str(),
                      row.buffer.c_str(), (row.tested + " on " + row.source).c_str(),
                      (unsigned long long) row.compared, (unsigned long long) row.equal,
                      (unsigned long long) row.withinTolerance, (unsigned long long) row.different);
-    std::fprintf(file, "%llu wrong list entries\n", (unsigned long long) wrongEntries(rows));
+    std::fprintf(file, "%llu wrong list entries\n", (unsigned long long) wrongEntries(report.rows));
+    for (size_t i = 0; report.unchecked.empty() && i < 2; ++i)
+        std::fprintf(file, "image mean of %-6s %.9g %.9g %.9g\n", options.backends[i].c_str(),
+                     report.means[i].x, report.means[i].y, report.means[i].z);
 }
 
-void printExamples(std::FILE* file, const std::vector<CheckRow>& rows, const std::string& command) {
-    for (const CheckRow& row : rows)
+void printExamples(std::FILE* file, const CheckReport& report, const std::string& command) {
+    for (const CheckRow& row : report.rows)
         for (const std::string& example : row.examples)
-            std::fprintf(file, "%s, %s, %s on the data of %s: %s\n", row.pass.c_str(),
+            std::fprintf(file, "%s, %s, %s on the data of %s: %s\n", passName(row).c_str(),
                          row.buffer.c_str(), row.tested.c_str(), row.source.c_str(),
                          example.c_str());
-    if (!allowed(rows)) std::fprintf(file, "again: %s\n", command.c_str());
+    if (!report.unchecked.empty())
+        std::fprintf(file, "the passes of a sample are not checked: %s\n",
+                     report.unchecked.c_str());
+    if (!report.passed()) std::fprintf(file, "again: %s\n", command.c_str());
+}
+
+/// All that shapes the passes, said or not.
+std::string commandOf(const CheckOptions& options, const Input& input) {
+    const RenderSettings& settings = input.settings;
+    return "dirt check " + options.common.scene + " --backends " + options.backends[0] + "," +
+           options.backends[1] + structureOptions(input) +
+           (settings.primary == Primary::raster ? " --primary raster" : " --primary traced") +
+           (settings.fetch == Fetch::raster ? " --fetch raster" : " --fetch direct") +
+           " --bounces " + std::to_string(settings.bounces) + " --seed " +
+           std::to_string(settings.seed);
 }
 
 Json rowJson(const CheckRow& row) {
-    return {{"pass", row.pass},
-            {"buffer", row.buffer},
-            {"backend", row.tested},
-            {"data_of", row.source},
-            {"compared", row.compared},
-            {"equal", row.equal},
-            {"within_tolerance", row.withinTolerance},
-            {"different", row.different},
-            {"examples", row.examples}};
+    return {
+        {"pass", row.pass},           {"event", row.event < 0 ? Json(nullptr) : Json(row.event)},
+        {"buffer", row.buffer},       {"backend", row.tested},
+        {"data_of", row.source},      {"compared", row.compared},
+        {"equal", row.equal},         {"within_tolerance", row.withinTolerance},
+        {"different", row.different}, {"examples", row.examples}};
+}
+
+Json meanJson(glm::dvec3 mean) {
+    return {mean.x, mean.y, mean.z};
 }
 
 /// Whether nothing differs that must not.
 bool runCheck(const CheckOptions& options) {
-    if (options.backends.size() != 2) throw InputError("--backends: two of cpu, gl, as in cpu,gl");
+    if (options.backends.size() != 2)
+        throw InputError("--backends: two of cpu, gl, embree, as in cpu,gl");
+    if (options.common.samples) throw InputError("--spp: check runs the first sample alone");
     const auto executor = makeExecutor(options.common);
     const auto first = makeBackend(kindOf(options.backends[0]), options.common, *executor);
     const auto second = makeBackend(kindOf(options.backends[1]), options.common, *executor);
     const Input input = openInput(options.common, *executor);
-    const auto rows = checkConstruction(input.scene.mesh, input.scene.camera, input.settings.grid,
-                                        *first, *second);
+    const CheckReport report = checkBackends(input.scene, input.settings, *first, *second);
 
     std::FILE* const table = options.json ? stderr : stdout;
-    if (!options.json || !options.common.quiet) printRows(table, rows);
-    printExamples(stderr, rows,
-                  "dirt check " + options.common.scene + " --backends " + options.backends[0] +
-                      "," + options.backends[1] + structureOptions(input));
+    if (!options.json || !options.common.quiet) printRows(table, report, options);
+    printExamples(stderr, report, commandOf(options, input));
     if (options.json) {
-        Json report = reportOf(input, *second, *executor, {});
-        report["backends"] = options.backends;
-        report["rows"] = Json::array();
-        for (const CheckRow& row : rows) report["rows"].push_back(rowJson(row));
-        report["wrong_entries"] = wrongEntries(rows);
-        std::printf("%s\n", report.dump(2).c_str());
+        Json json = reportOf(input, *second, *executor, {});
+        json.erase("spp");
+        json["backends"] = options.backends;
+        json["rows"] = Json::array();
+        for (const CheckRow& row : report.rows) json["rows"].push_back(rowJson(row));
+        json["wrong_entries"] = wrongEntries(report.rows);
+        if (report.unchecked.empty())
+            json["image_means"] = {meanJson(report.means[0]), meanJson(report.means[1])};
+        std::printf("%s\n", json.dump(2).c_str());
     }
-    return allowed(rows);
+    return report.passed();
 }
 
 } // namespace
 
 void addCheck(CLI::App& program, int& status) {
     CLI::App* command = program.add_subcommand(
-        "check", "builds the structure on two backends and compares each of its buffers");
+        "check", "runs every pass on two backends, from the same buffers, and compares them");
     const auto options = std::make_shared<CheckOptions>();
     addCommonOptions(*command, options->common);
-    command->add_option("--backends", options->backends, "two of cpu, gl (default: cpu,gl)")
+    command->add_option("--backends", options->backends, "two of cpu, gl, embree (default: cpu,gl)")
         ->delimiter(',');
     command->add_flag("--json", options->json, "print one JSON object on standard output");
     command->callback([options, &status] { status = runCheck(*options) ? 0 : 1; });

@@ -1,115 +1,64 @@
 #include "core/check/check.h"
 
-#include "core/check/compare.h"
+#include "core/check/check_construction.h"
+#include "core/check/check_paths.h"
+#include "core/io/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace dirt {
 namespace {
 
-/// What depths may be off where arithmetic is not IEEE (G2).
-constexpr int kUlps = 16;
-
-/// A grid's depth bounds of the tiles, and of the levels above them if \p pyramid; all lists empty.
-Grid withoutLists(const Grid& grid, bool pyramid) {
-    Grid bounds;
-    bounds.settings = grid.settings;
-    bounds.views = grid.views;
-    bounds.firstTile = grid.firstTile;
-    bounds.pyramids = grid.pyramids;
-    bounds.heads.resize(grid.heads.size(), 0); // a backend may prepare lists for tracing
-    if (!pyramid)
-        for (DepthPyramid& levels : bounds.pyramids) levels.levels.resize(1);
-    return bounds;
+/// Mean radiance of the pixels in which \p a and \p b see the same surface.
+glm::dvec3 meanOf(const SampleCheck& check, const SampleCheck& a, const SampleCheck& b) {
+    glm::dvec3 sum(0.0);
+    size_t count = 0;
+    for (size_t i = 0; i < check.radiance.size(); ++i) {
+        if (a.surfaces[i] != b.surfaces[i]) continue;
+        sum += glm::dvec3(check.radiance[i]);
+        ++count;
+    }
+    return count > 0 ? sum / (double) count : sum;
 }
-
-/// A whole construction, as one backend has made it of its own triangle buffer.
-struct Built {
-    FrameGeometry geometry;
-    Grid grid;
-};
-
-Built build(Backend& backend, const Mesh& mesh, const Camera& camera,
-            const GridSettings& settings) {
-    backend.build(mesh, camera, settings);
-    return {backend.readGeometry(), backend.readGrid()};
-}
-
-/// Runs the passes of \p tested on the data of \p source.
-class PassCheck {
-public:
-    PassCheck(const Camera& camera, Backend& tested, const std::string& source, const Built& built,
-              int ulps, std::vector<CheckRow>& rows)
-        : camera_(camera), tested_(tested), source_(source), built_(built), ulps_(ulps),
-          rows_(rows) {}
-
-    void run() {
-        fillDepth();
-        fillDepthMipmap();
-        fillPrimitives();
-    }
-
-private:
-    CheckRow& row(const char* pass, const std::string& buffer) {
-        CheckRow row;
-        row.pass = pass;
-        row.buffer = buffer;
-        row.tested = tested_.name();
-        row.source = source_;
-        return rows_.emplace_back(std::move(row));
-    }
-
-    void fillDepth() {
-        tested_.clear(camera_, built_.grid.settings);
-        tested_.setGeometry(built_.geometry);
-        tested_.fillDepth();
-        compareLevel(built_.grid, tested_.readGrid(), 0, ulps_, row("FillDepth", "depth bounds"));
-    }
-
-    void fillDepthMipmap() {
-        tested_.writeGrid(withoutLists(built_.grid, false));
-        tested_.fillDepthMipmap();
-        const Grid grid = tested_.readGrid();
-        // Minima and maxima are inputs, whatever the arithmetic.
-        for (size_t level = 1; level < built_.grid.pyramids[0].levels.size(); ++level)
-            compareLevel(built_.grid, grid, level, 0,
-                         row("FillDepthMipmap", "depth pyramid, level " + std::to_string(level)));
-    }
-
-    void fillPrimitives() {
-        // A host backend keeps the fragments of FillDepth for this pass.
-        tested_.clear(camera_, built_.grid.settings);
-        tested_.fillDepth();
-        tested_.writeGrid(withoutLists(built_.grid, true));
-        tested_.fillPrimitives();
-        const Grid grid = tested_.readGrid();
-        compareLists(built_.geometry, built_.grid, grid, ulps_, row("FillPrimitives", "lists"));
-        compareAtEye(built_.grid, grid, row("FillPrimitives", "triangles at the eye"));
-    }
-
-    const Camera& camera_;
-    Backend& tested_;
-    std::string source_;
-    const Built& built_;
-    int ulps_;
-    std::vector<CheckRow>& rows_;
-};
 
 } // namespace
+
+bool CheckReport::passed() const {
+    const auto [a, b] = means;
+    for (int i = 0; i < 3; ++i) {
+        const double allowed = kMeanTolerance * std::max({a.x, a.y, a.z, b.x, b.y, b.z});
+        if (!(std::abs(a[i] - b[i]) <= allowed)) return false; // NaN neither
+    }
+    return std::all_of(rows.begin(), rows.end(),
+                       [](const CheckRow& row) { return row.different == 0; });
+}
 
 std::vector<CheckRow> checkConstruction(const Mesh& mesh, const Camera& camera,
                                         const GridSettings& settings, Backend& first,
                                         Backend& second) {
-    const Built a = build(first, mesh, camera, settings);
-    const Built b = build(second, mesh, camera, settings);
-    const int ulps = first.isIeee() && second.isIeee() ? 0 : kUlps;
-    std::vector<CheckRow> rows(1);
-    rows[0].pass = "FillDepth";
-    rows[0].buffer = "triangle buffer";
-    rows[0].tested = second.name();
-    rows[0].source = first.name();
-    compareTriangles(a.geometry, b.geometry, rows[0]);
-    PassCheck(camera, second, first.name(), a, ulps, rows).run();
-    PassCheck(camera, first, second.name(), b, ulps, rows).run();
-    return rows;
+    const BuiltStructure a = buildOn(first, mesh, camera, settings);
+    const BuiltStructure b = buildOn(second, mesh, camera, settings);
+    return checkConstruction(a, b, camera, first, second);
+}
+
+CheckReport checkBackends(const Scene& scene, const RenderSettings& settings, Backend& first,
+                          Backend& second) {
+    const BuiltStructure a = buildOn(first, scene.mesh, scene.camera, settings.grid);
+    const BuiltStructure b = buildOn(second, scene.mesh, scene.camera, settings.grid);
+    CheckReport report;
+    report.rows = checkConstruction(a, b, scene.camera, first, second);
+    try {
+        SampleCheck onFirst = checkPaths(scene, settings, a, first, second);
+        SampleCheck onSecond = checkPaths(scene, settings, b, second, first);
+        report.means = {meanOf(onFirst, onFirst, onSecond), meanOf(onSecond, onFirst, onSecond)};
+        for (SampleCheck* check : {&onFirst, &onSecond})
+            std::move(check->rows.begin(), check->rows.end(), std::back_inserter(report.rows));
+    } catch (const CapabilityError& missing) {
+        report.unchecked = missing.what();
+    }
+    return report;
 }
 
 } // namespace dirt

@@ -1,31 +1,35 @@
 #pragma once
 
+#include "core/check/check_row.h"
 #include "core/frame/backend.h"
 
-#include <cstdint>
+#include <array>
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 namespace dirt {
 
-/// One buffer of one pass as two backends have made it from the same data.
-struct CheckRow {
-    std::string pass;   ///< as design and paper name it
-    std::string buffer; ///< "depth bounds", "depth pyramid, level 3", …
-    std::string tested; ///< the backend that ran the pass
-    std::string source; ///< the backend whose data it got, and whose result it is compared with
+/// What a check has found.
+struct CheckReport {
+    std::vector<CheckRow> rows;
+    /// Mean radiance of the sample as each backend renders it on its own, over the pixels in which
+    /// both see the same surface first.
+    std::array<glm::dvec3, 2> means{};
+    std::string unchecked; ///< why the passes of a sample could not be run; empty: they were
 
-    uint64_t compared = 0;        ///< values, or entries that at least one of the two lists
-    uint64_t equal = 0;           ///< to the bit
-    uint64_t withinTolerance = 0; ///< unequal, but allowed (see checkConstruction)
-    uint64_t different = 0;
-    std::vector<std::string> examples; ///< the first differences in words, kExamples at most
+    /// Whether nothing differs that must not, and the means are kMeanTolerance apart at most.
+    bool passed() const;
 };
 
-inline constexpr size_t kExamples = 3;
+/// Of the mean's largest component. The means hold the pixels in which all bits should be equal;
+/// this is what a frame may be off where arithmetic is not IEEE and single paths part.
+inline constexpr double kMeanTolerance = 1e-4;
 
 /// Builds the structure of \p mesh on two backends and compares every buffer. Each pass of each
-/// backend runs on the other's data, so that one fault does not hide the next.
+/// backend runs on the other's data, so that one fault does not hide the next. Of backends without
+/// a grid only the triangle buffer is compared.
 ///
 /// Everything has to be equal. Only where one of the backends is not isIeee() depths may be off by
 /// 16 ulp (G2), and lists by the entries in bins whose border is that near to an end of the
@@ -33,5 +37,11 @@ inline constexpr size_t kExamples = 3;
 std::vector<CheckRow> checkConstruction(const Mesh& mesh, const Camera& camera,
                                         const GridSettings& settings, Backend& first,
                                         Backend& second);
+
+/// The same, and then all passes of one sample: each backend renders it once, and the other runs
+/// every pass beside it, on a copy of what the first has made so far. What may differ is said in
+/// docs/check.md.
+CheckReport checkBackends(const Scene& scene, const RenderSettings& settings, Backend& first,
+                          Backend& second);
 
 } // namespace dirt

@@ -41,37 +41,24 @@ double Dyadic::quotient(const Dyadic& a, const Dyadic& b) {
     return std::ldexp(ma / mb, ea - eb);
 }
 
-namespace {
-
-struct Vec {
-    Dyadic x, y, z;
-
-    Vec() = default;
-    Vec(Dyadic vx, Dyadic vy, Dyadic vz) : x(std::move(vx)), y(std::move(vy)), z(std::move(vz)) {}
-    explicit Vec(glm::vec3 v) : x(v.x), y(v.y), z(v.z) {}
-    const Dyadic& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
-};
-
-Vec operator-(const Vec& a, const Vec& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-Vec cross(const Vec& a, const Vec& b) {
+DyadicVector cross(const DyadicVector& a, const DyadicVector& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-Dyadic dot(const Vec& a, const Vec& b) {
+Dyadic dot(const DyadicVector& a, const DyadicVector& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+namespace {
+
 /// A point whose coordinates are v / weight, weight > 0.
 struct Homogeneous {
-    Vec v;
+    DyadicVector v;
     Dyadic weight;
 };
 
 /// Sign of the area of (a, b, p) in the plane of axes \p i and \p j.
-int orientation(const Vec& a, const Vec& b, const Homogeneous& p, int i, int j) {
+int orientation(const DyadicVector& a, const DyadicVector& b, const Homogeneous& p, int i, int j) {
     const Dyadic pi = p.v[i] - a[i] * p.weight, pj = p.v[j] - a[j] * p.weight;
     return ((b[i] - a[i]) * pj - (b[j] - a[j]) * pi).sign();
 }
@@ -79,9 +66,9 @@ int orientation(const Vec& a, const Vec& b, const Homogeneous& p, int i, int j) 
 } // namespace
 
 std::optional<ExactT> intersectExactly(const Ray& ray, const Triangle& triangle) {
-    const Vec o(ray.origin), d(ray.direction);
-    const Vec a(triangle.a), b(triangle.b), c(triangle.c);
-    const Vec normal = cross(b - a, c - a);
+    const DyadicVector o(ray.origin), d(ray.direction);
+    const DyadicVector a(triangle.a), b(triangle.b), c(triangle.c);
+    const DyadicVector normal = cross(b - a, c - a);
 
     ExactT t{dot(normal, a - o), dot(normal, d)};
     if (t.denominator.sign() == 0) return std::nullopt;

@@ -43,6 +43,22 @@ private:
     int exponent_ = 0;
 };
 
+/// A vector of such numbers.
+struct DyadicVector {
+    Dyadic x, y, z;
+
+    DyadicVector() = default;
+    DyadicVector(Dyadic vx, Dyadic vy, Dyadic vz)
+        : x(std::move(vx)), y(std::move(vy)), z(std::move(vz)) {}
+    explicit DyadicVector(const glm::dvec3& v) : x(v.x), y(v.y), z(v.z) {}
+    const Dyadic& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+    friend DyadicVector operator-(const DyadicVector& a, const DyadicVector& b) {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
+};
+DyadicVector cross(const DyadicVector& a, const DyadicVector& b);
+Dyadic dot(const DyadicVector& a, const DyadicVector& b);
+
 /// The parameter of a hit as a fraction; numerator >= 0, denominator > 0.
 struct ExactT {
     Dyadic numerator, denominator;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
@@ -15,22 +16,56 @@ bool hasGl() {
 
 TEST(Check, ABackendAgreesWithItself) {
     const TemporaryFolder folder;
-    const Outcome run =
-        dirt({"check", litTriangle(folder), "--backends", "cpu,cpu", "--tile", "4"});
+    const Outcome run = dirt(
+        {"check", litTriangle(folder), "--backends", "cpu,cpu", "--tile", "4", "--size", "64x64"});
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_NE(run.out.find("FillDepth        depth bounds             cpu on cpu"), run.out.npos)
-        << run.out;
+    for (const char* row :
+         {"FillDepth          depth bounds             cpu on cpu",
+          "DirectVisibility 0 shading buffer G[k+1]    cpu on cpu",
+          "Trace 2            hit buffer               cpu on cpu", "image mean of cpu"})
+        EXPECT_NE(run.out.find(row), run.out.npos) << row << "\n" << run.out;
     EXPECT_NE(run.out.find("\n0 wrong list entries\n"), run.out.npos) << run.out;
 }
 
 TEST(Check, BackendsThatAreNoneAreNamed) {
     const TemporaryFolder folder;
     const std::string scene = litTriangle(folder);
-    for (const char* backends : {"cpu", "cpu,embree", "cpu,cpu,cpu"}) {
+    for (const char* backends : {"cpu", "cpu,optix", "cpu,cpu,cpu"}) {
         const Outcome run = dirt({"check", scene, "--backends", backends});
         EXPECT_EQ(run.status, 2);
         EXPECT_NE(run.err.find("--backends"), run.err.npos) << run.err;
     }
+}
+
+TEST(Check, RunsOneSample) {
+    const TemporaryFolder folder;
+    const Outcome run = dirt({"check", litTriangle(folder), "--backends", "cpu,cpu", "--spp", "2"});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(run.err, "dirt: --spp: check runs the first sample alone\n");
+}
+
+TEST(Check, ReportsTheRowsOfASampleAsJson) {
+    const TemporaryFolder folder;
+    const Outcome run = dirt({"check", litTriangle(folder), "--backends", "cpu,cpu", "--json",
+                              "--size", "64x32", "--bounces", "2", "--primary", "traced"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto json = nlohmann::json::parse(run.out);
+    std::map<std::pair<std::string, int>, int> rows;
+    for (const auto& row : json["rows"]) {
+        if (row["event"].is_null()) continue;
+        ++rows[{row["pass"], row["event"]}];
+        EXPECT_EQ(row["compared"], 64 * 32) << row;
+        EXPECT_EQ(row["equal"], 64 * 32) << row;
+        EXPECT_EQ(row["different"], 0) << row;
+    }
+    const std::map<std::pair<std::string, int>, int> expected = {
+        {{"Clear", 0}, 2},      {{"Rays", 0}, 2},  {{"Trace", 0}, 2},  {{"Fetch", 0}, 4},
+        {{"Visibility", 0}, 2}, {{"Shade", 0}, 2}, {{"Shift", 0}, 4},  {{"DepthMask", 1}, 2},
+        {{"Rays", 1}, 2},       {{"Trace", 1}, 2}, {{"Fetch", 1}, 4},  {{"Visibility", 1}, 2},
+        {{"Shade", 1}, 2},      {{"Shift", 1}, 4}, {{"Resolve", 0}, 2}};
+    EXPECT_EQ(rows, expected);
+    EXPECT_EQ(json["image_means"][0], json["image_means"][1]);
+    EXPECT_GT(json["image_means"][0][2], 0.0);
 }
 
 TEST(Check, ReportsRowsAsJson) {
@@ -60,11 +95,19 @@ TEST(Check, ShowsADifferenceAndHowToSeeItAgain) {
     ASSERT_NE(source.find(whole), source.npos);
     source.replace(source.find(whole), whole.size(), less);
     folder.write("shaders/fill_primitives.frag", source);
-    const Outcome run = startDirt({"check", litTriangle(folder), "--size", "64x64"},
+    const std::string scene = litTriangle(folder);
+    const Outcome run = startDirt({"check", scene, "--size", "64x64", "--bounces", "1", "--seed",
+                                   "5", "--fetch", "direct", "--traversal", "linear"},
                                   [&] { setenv("DIRT_SHADERS", shaders.c_str(), 1); });
     EXPECT_EQ(run.status, 1) << run.err;
     EXPECT_NE(run.err.find("lacks triangle 0"), run.err.npos) << run.err;
-    EXPECT_NE(run.err.find("again: dirt check "), run.err.npos) << run.err;
+    EXPECT_NE(run.err.find("again: dirt check " + scene +
+                           " --backends cpu,gl --view full --size 64x64 --tile 16 --bins 16 "
+                           "--traversal linear --eye 0,0,0 "),
+              run.err.npos)
+        << run.err;
+    EXPECT_NE(run.err.find(" --primary raster --fetch direct --bounces 1 --seed 5\n"), run.err.npos)
+        << run.err;
     EXPECT_EQ(run.out.find("\n0 wrong list entries"), run.out.npos) << run.out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/check/check.h"
+#include "core/check/check_row.h"
+#include "core/grid/grid.h"
 
 namespace dirt {
 

@@ -1,4 +1,4 @@
-#include "core/check/compare.h"
+#include "core/check/compare_structure.h"
 
 #include "core/grid/clip.h"
 
@@ -14,11 +14,6 @@ std::string hex(float x) {
     char text[40];
     std::snprintf(text, sizeof text, "%a", x);
     return text;
-}
-
-void difference(CheckRow& row, const std::string& example) {
-    ++row.different;
-    if (row.examples.size() < kExamples) row.examples.push_back(example);
 }
 
 /// Floats in between, and one; none if they are equal. Both have the same sign, or one is zero.
@@ -78,8 +73,9 @@ void compareTriangles(const FrameGeometry& source, const FrameGeometry& tested, 
     const auto &a = source.triangles, &b = tested.triangles;
     row.compared = std::max(a.size(), b.size()) * 9;
     if (a.size() != b.size())
-        difference(row,
-                   std::to_string(a.size()) + " and " + std::to_string(b.size()) + " triangles");
+        row.differ([&] {
+            return std::to_string(a.size()) + " and " + std::to_string(b.size()) + " triangles";
+        });
     for (size_t id = 0; id < std::min(a.size(), b.size()); ++id) {
         const glm::vec3 *p = &a[id].a, *q = &b[id].a;
         for (int i = 0; i < 9; ++i) {
@@ -87,9 +83,10 @@ void compareTriangles(const FrameGeometry& source, const FrameGeometry& tested, 
             if (x == y)
                 ++row.equal;
             else
-                difference(row, "triangle " + std::to_string(id) + ", vertex " +
-                                    std::to_string(i / 3) + ", " + "xyz"[i % 3] + ": " + hex(x) +
-                                    ", not " + hex(y));
+                row.differ([&] {
+                    return "triangle " + std::to_string(id) + ", vertex " + std::to_string(i / 3) +
+                           ", " + "xyz"[i % 3] + ": " + hex(x) + ", not " + hex(y);
+                });
         }
     }
 }
@@ -109,10 +106,12 @@ void compareLevel(const Grid& source, const Grid& tested, size_t level, int ulps
                 else if (off <= ulps)
                     ++row.withinTolerance;
                 else
-                    difference(row, "view " + std::to_string(view) + ", column " +
-                                        std::to_string(x) + ", row " + std::to_string(y) + ": " +
-                                        hex(expected.near) + " to " + hex(expected.far) + ", not " +
-                                        hex(found.near) + " to " + hex(found.far));
+                    row.differ([&] {
+                        return "view " + std::to_string(view) + ", column " + std::to_string(x) +
+                               ", row " + std::to_string(y) + ": " + hex(expected.near) + " to " +
+                               hex(expected.far) + ", not " + hex(found.near) + " to " +
+                               hex(found.far);
+                    });
             }
     }
 }
@@ -128,9 +127,11 @@ void compareLists(const FrameGeometry& geometry, const Grid& source, const Grid&
                     if (tolerance.allows(view, tile, bin, id))
                         ++row.withinTolerance;
                     else
-                        difference(row, tileName(source.views[view], view, tile) + ", bin " +
-                                            std::to_string(bin) + ": " + what + " triangle " +
-                                            std::to_string(id));
+                        row.differ([&] {
+                            return tileName(source.views[view], view, tile) + ", bin " +
+                                   std::to_string(bin) + ": " + what + " triangle " +
+                                   std::to_string(id);
+                        });
                 };
                 const auto a = source.list((int) view, (int) tile, bin);
                 const auto b = tested.list((int) view, (int) tile, bin);
@@ -158,7 +159,8 @@ void compareAtEye(const Grid& source, const Grid& tested, CheckRow& row) {
                                   std::back_inserter(different));
     row.equal = common.size();
     row.compared = common.size() + different.size();
-    for (uint32_t id : different) difference(row, "only one lists triangle " + std::to_string(id));
+    for (uint32_t id : different)
+        row.differ([&] { return "only one lists triangle " + std::to_string(id); });
 }
 
 } // namespace dirt
