@@ -1,53 +1,55 @@
 #include "backend_cpu/builder.h"
 
-#include "core/grid/scan.h"
+#include "backend_cpu/list_bins.h"
+#include "backend_cpu/rasterizer.h"
 
 #include <algorithm>
-#include <atomic>
+#include <numeric>
 
 namespace dirt {
 namespace {
 
-constexpr size_t kTrianglesPerPiece = 1024;
-constexpr size_t kTilesPerPiece = 256;
-
-/// Minimum and maximum do not depend on the order, so neither do the bounds.
-void includeAtomically(DepthBounds& bounds, float near, float far) {
-    std::atomic_ref<float> sharedNear(bounds.near), sharedFar(bounds.far);
-    float current = sharedNear.load(std::memory_order_relaxed);
-    while (near < current &&
-           !sharedNear.compare_exchange_weak(current, near, std::memory_order_relaxed)) {
+/// Calls visit(fragment, first cell, last cell), cells counted from the first of the bucket: in
+/// the order of ids, or in the opposite one.
+template <bool Backwards, class Visit>
+void forEachFragment(std::span<const Fragment> fragments, uint32_t firstTile, int bins,
+                     const BinMaps& maps, Visit&& visit) {
+    uint32_t first[kFragmentsAtOnce], last[kFragmentsAtOnce];
+    for (size_t done = 0; done < fragments.size(); done += kFragmentsAtOnce) {
+        const size_t count = std::min(kFragmentsAtOnce, fragments.size() - done);
+        const size_t begin = Backwards ? fragments.size() - done - count : done;
+        const std::span<const Fragment> some = fragments.subspan(begin, count);
+        findCells(some, firstTile, bins, maps, first, last);
+        for (size_t i = 0; i < count; ++i) {
+            const size_t at = Backwards ? count - 1 - i : i;
+            visit(some[at], first[at], last[at]);
+        }
     }
-    current = sharedFar.load(std::memory_order_relaxed);
-    while (far > current &&
-           !sharedFar.compare_exchange_weak(current, far, std::memory_order_relaxed)) {
-    }
-}
-
-/// The view that holds a tile of the numbering over all views.
-int viewOf(const Grid& grid, uint32_t tile) {
-    return (int) (std::upper_bound(grid.firstTile.begin(), grid.firstTile.end(), tile) -
-                  grid.firstTile.begin()) -
-           1;
 }
 
 } // namespace
 
 void GridBuilder::fillDepth(const FrameGeometry& geometry, Grid& grid) {
+    tables_.set(grid);
     const size_t count = geometry.triangles.size();
-    fragments_.resize((count + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
+    pieces_.resize((count + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
     executor_.forRange(count, kTrianglesPerPiece, [&](size_t begin, size_t end) {
-        std::vector<Fragment>& fragments = fragments_[begin / kTrianglesPerPiece];
-        fragments.clear();
-        for (size_t id = begin; id < end; ++id)
-            for (size_t v = 0; v < grid.views.size(); ++v)
-                scanTriangle(geometry.triangles[id], grid.views[v],
-                             [&](int tile, DepthInterval depths) {
-                                 includeAtomically(grid.pyramids[v].levels[0].bounds[tile],
-                                                   depths.near, depths.far);
-                                 fragments.push_back({grid.firstTile[v] + (uint32_t) tile,
-                                                      (uint32_t) id, depths.near, depths.far});
-                             });
+        rasterize(geometry, grid, tables_, begin, end, pieces_[begin / kTrianglesPerPiece]);
+    });
+    buckets_.fill(pieces_, grid.firstTile.back(), executor_);
+
+    executor_.forRange(buckets_.count(), 1, [&](size_t bucket, size_t) {
+        thread_local std::vector<DepthBounds> bounds;
+        const uint32_t firstTile = buckets_.firstTile(bucket), tiles = buckets_.tiles(bucket);
+        bounds.assign(tiles, {});
+        for (const Fragment& fragment : buckets_[bucket])
+            bounds[fragment.tile - firstTile].include(fragment.near, fragment.far);
+        int view = 0;
+        for (uint32_t i = 0; i < tiles; ++i) {
+            const uint32_t tile = firstTile + i;
+            while (tile >= grid.firstTile[view + 1]) ++view;
+            grid.pyramids[view].levels[0].bounds[tile - grid.firstTile[view]] = bounds[i];
+        }
     });
 }
 
@@ -56,63 +58,63 @@ void GridBuilder::fillDepthMipmap(Grid& grid) {
                        [&](size_t view, size_t) { buildPyramid(grid.pyramids[view]); });
 }
 
-void GridBuilder::fillPrimitives(const FrameGeometry& geometry, Grid& grid) {
-    grid.atEye = trianglesAtEye(geometry);
+void GridBuilder::fillPrimitives(Grid& grid) {
+    grid.atEye.clear();
+    for (const RasterPiece& piece : pieces_)
+        grid.atEye.insert(grid.atEye.end(), piece.atEye.begin(), piece.atEye.end());
     countEntries(grid);
-    sumHeads(grid);
     placeEntries(grid);
-    sortLists(grid);
-    fragments_ = {};
 }
 
-/// Calls visit(cell, id) for each list entry.
-template <class Visit>
-void GridBuilder::forEachEntry(const Grid& grid, Visit&& visit) {
-    executor_.forRange(fragments_.size(), 1, [&](size_t piece, size_t) {
-        for (const Fragment& fragment : fragments_[piece]) {
-            const int view = viewOf(grid, fragment.tile);
-            const int tile = (int) (fragment.tile - grid.firstTile[view]);
-            const BinMap bin(grid.bounds(view, tile), grid.settings.bins);
-            const size_t cell = grid.cell(view, tile, 0);
-            for (int b = bin(fragment.near); b <= bin(fragment.far); ++b)
-                visit(cell + b, fragment.id);
-        }
-    });
+uint64_t GridBuilder::bytes() const {
+    uint64_t bytes = buckets_.bytes();
+    for (const RasterPiece& piece : pieces_) bytes += piece.fragments.capacity() * sizeof(Fragment);
+    return bytes;
 }
 
+/// Leaves in heads where each list ends, counted from the first entry of its bucket.
 void GridBuilder::countEntries(Grid& grid) {
-    grid.heads.assign((size_t) grid.firstTile.back() * grid.settings.bins + 1, 0);
-    forEachEntry(grid, [&](size_t cell, uint32_t) {
-        std::atomic_ref<uint32_t>(grid.heads[cell]).fetch_add(1, std::memory_order_relaxed);
+    const int bins = grid.settings.bins;
+    grid.heads.resize((size_t) grid.firstTile.back() * bins + 1);
+    entries_.resize(buckets_.count() + 1);
+    executor_.forRange(buckets_.count(), 1, [&](size_t bucket, size_t) {
+        thread_local BinMaps maps;
+        const uint32_t firstTile = buckets_.firstTile(bucket), tiles = buckets_.tiles(bucket);
+        maps.set(grid, firstTile, tiles);
+        uint32_t* heads = grid.heads.data() + (size_t) firstTile * bins;
+        std::fill_n(heads, (size_t) tiles * bins, 0);
+        forEachFragment<false>(buckets_[bucket], firstTile, bins, maps,
+                               [&](const Fragment&, uint32_t first, uint32_t last) {
+                                   for (uint32_t cell = first; cell <= last; ++cell) ++heads[cell];
+                               });
+        uint64_t sum = 0;
+        for (size_t cell = 0; cell < (size_t) tiles * bins; ++cell)
+            heads[cell] = (uint32_t) (sum += heads[cell]);
+        entries_[bucket] = sum;
     });
+    entries_.back() = 0;
+    std::exclusive_scan(entries_.begin(), entries_.end(), entries_.begin(), uint64_t(0));
+    checkEntryCount(entries_.back());
 }
 
-/// From counts to the end of each list.
-void GridBuilder::sumHeads(Grid& grid) {
-    uint64_t sum = 0;
-    for (uint32_t& head : grid.heads) {
-        sum += head;
-        head = (uint32_t) sum;
-    }
-    checkEntryCount(sum);
-    grid.ids.resize(sum);
-}
-
-/// Fills each list from its end, which leaves heads at the lists' beginnings.
+/// Fills each list from its end, which leaves heads at the lists' beginnings and ids in order.
 void GridBuilder::placeEntries(Grid& grid) {
-    forEachEntry(grid, [&](size_t cell, uint32_t id) {
-        const uint32_t end =
-            std::atomic_ref<uint32_t>(grid.heads[cell]).fetch_sub(1, std::memory_order_relaxed);
-        grid.ids[end - 1] = id;
-    });
-}
-
-/// Threads place entries in any order; the lists are kept in the order of ids (G6).
-void GridBuilder::sortLists(Grid& grid) {
-    const size_t bins = grid.settings.bins;
-    executor_.forRange(grid.firstTile.back(), kTilesPerPiece, [&](size_t begin, size_t end) {
-        for (size_t cell = begin * bins; cell < end * bins; ++cell)
-            std::sort(grid.ids.begin() + grid.heads[cell], grid.ids.begin() + grid.heads[cell + 1]);
+    const int bins = grid.settings.bins;
+    grid.heads.back() = (uint32_t) entries_.back();
+    grid.ids.resize(entries_.back());
+    executor_.forRange(buckets_.count(), 1, [&](size_t bucket, size_t) {
+        thread_local BinMaps maps;
+        const uint32_t firstTile = buckets_.firstTile(bucket), tiles = buckets_.tiles(bucket);
+        maps.set(grid, firstTile, tiles);
+        uint32_t* heads = grid.heads.data() + (size_t) firstTile * bins;
+        uint32_t* ids = grid.ids.data() + entries_[bucket];
+        forEachFragment<true>(buckets_[bucket], firstTile, bins, maps,
+                              [&](const Fragment& fragment, uint32_t first, uint32_t last) {
+                                  for (uint32_t cell = first; cell <= last; ++cell)
+                                      ids[--heads[cell]] = fragment.id;
+                              });
+        const uint32_t base = (uint32_t) entries_[bucket];
+        for (size_t cell = 0; cell < (size_t) tiles * bins; ++cell) heads[cell] += base;
     });
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "backend_cpu/fragments.h"
+#include "backend_cpu/raster_tables.h"
 #include "core/frame/executor.h"
 #include "core/grid/grid.h"
 
@@ -7,15 +9,8 @@
 
 namespace dirt {
 
-/// A triangle's part in one tile, as the software rasterizer finds it.
-struct Fragment {
-    uint32_t tile; ///< in the numbering over all views (Grid::firstTile)
-    uint32_t id;
-    float near, far;
-};
-
-/// The construction passes, spread over an Executor. Each gives the bits of buildGrid (core), which
-/// is its oracle, for any number of threads.
+/// The construction passes, in SIMD and spread over an Executor. Each gives the bits of buildGrid
+/// (core), which is its oracle, for any number of threads. Keeps its memory from frame to frame.
 class GridBuilder {
 public:
     explicit GridBuilder(Executor& executor) : executor_(executor) {}
@@ -25,18 +20,20 @@ public:
     /// Depth pyramid of every view.
     void fillDepthMipmap(Grid& grid);
     /// The id buffer, from the fragments of fillDepth and the depth bounds in \p grid.
-    void fillPrimitives(const FrameGeometry& geometry, Grid& grid);
+    void fillPrimitives(Grid& grid);
+
+    /// What it keeps between the passes, and from frame to frame.
+    uint64_t bytes() const;
 
 private:
     void countEntries(Grid& grid);
-    void sumHeads(Grid& grid);
     void placeEntries(Grid& grid);
-    void sortLists(Grid& grid);
-    template <class Visit>
-    void forEachEntry(const Grid& grid, Visit&& visit);
 
     Executor& executor_;
-    std::vector<std::vector<Fragment>> fragments_; ///< per piece of the triangle loop
+    RasterTables tables_;
+    std::vector<RasterPiece> pieces_;
+    FragmentBuckets buckets_;
+    std::vector<uint64_t> entries_; ///< before each bucket
 };
 
 } // namespace dirt

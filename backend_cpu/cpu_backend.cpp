@@ -39,7 +39,7 @@ void CpuBackend::fillDepthMipmap() {
 }
 
 void CpuBackend::fillPrimitives() {
-    builder_.fillPrimitives(*geometry_, grid_);
+    builder_.fillPrimitives(grid_);
     if (light_) fillLightGrid(*geometry_, *light_, executor_, lightGrid_);
     makeLeaves();
 }
@@ -118,7 +118,8 @@ std::vector<BufferSize> CpuBackend::memory() const {
                                      {"depth pyramid", pyramid},
                                      {"id buffer heads", grid_.heads.size() * sizeof(uint32_t)},
                                      {"id buffer", grid_.ids.size() * sizeof(uint32_t)},
-                                     {"leaf blocks", leaves_.bytes()}});
+                                     {"leaf blocks", leaves_.bytes()},
+                                     {"fragments", builder_.bytes()}});
     if (!lightGrid_.empty()) sizes.push_back({"light grid", lightGrid_.bytes()});
     return sizes;
 }
