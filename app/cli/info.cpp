@@ -58,6 +58,15 @@ Json vectorJson(glm::vec3 v) {
     return {v.x, v.y, v.z};
 }
 
+Json animationJson(const Animation& animation) {
+    size_t vertices = 0;
+    for (const MovingPart& part : animation.parts) vertices += part.positions.size();
+    return {{"fps", animation.fps},
+            {"last_frame", animation.lastFrame()},
+            {"moving_vertices", vertices},
+            {"moving_camera", animation.camera.has_value()}};
+}
+
 Json requirementsJson(const Requirements& need, const Input& input, bool rasterizes) {
     Json json = Json::object();
     for (const RequirementReason& row : explain(need, input.scene, input.settings, rasterizes))
@@ -112,6 +121,7 @@ Json describe(const Input& input, const Backend& backend, const Executor& execut
                       {"target", vectorJson(scene.camera.target)},
                       {"up", vectorJson(scene.camera.up)},
                       {"fov", scene.camera.verticalFov}};
+    json["animation"] = animationJson(scene.animation);
     const bool rasterizes = backend.rasterizes();
     const Requirements need = requirementsOf(scene, input.settings, rasterizes);
     json["requirements"] = requirementsJson(need, input, rasterizes);
@@ -151,6 +161,16 @@ void printList(const char* label, const Json& lines) {
     for (const Json& line : lines) std::printf("    %s\n", line.get<std::string>().c_str());
 }
 
+std::string animationText(const Json& animation) {
+    const bool moves = animation["moving_vertices"] > 0, looks = animation["moving_camera"];
+    if (!moves && !looks) return "none";
+    char fps[32];
+    std::snprintf(fps, sizeof fps, "%g", animation["fps"].get<double>());
+    return countText(animation["moving_vertices"]) + " vertices" + (looks ? ", the camera" : "") +
+           "; the last frame is " + countText(animation["last_frame"]) + ", at " + fps +
+           " a second";
+}
+
 void printScene(const Json& info) {
     std::printf("%s\n", info["scene"].get<std::string>().c_str());
     printRow("triangles", countText(info["triangles"]));
@@ -164,6 +184,7 @@ void printScene(const Json& info) {
     printRow("box", vectorText(info["bounds"]["min"]) + " .. " + vectorText(info["bounds"]["max"]));
     printRow("camera",
              vectorText(info["camera"]["eye"]) + " to " + vectorText(info["camera"]["target"]));
+    printRow("animation", animationText(info["animation"]));
     printRow("without area", countText(info["precision"]["triangles_without_area"]) +
                                  " triangles, which no ray hits");
     printList("warnings", info["warnings"]);

@@ -3,6 +3,7 @@
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
 #include "core/frame/auto_camera.h"
+#include "core/frame/move_scene.h"
 #include "core/io/error.h"
 #include "core/io/load.h"
 
@@ -111,11 +112,22 @@ Input openInput(const CommonOptions& options, Executor& executor) {
             loaded.scene.background = glm::vec3(kObjBackground);
         }
     }
-    loaded.scene.camera = mergeCamera(loaded.scene.camera, options);
     input.scene = std::move(loaded.scene);
     input.warnings = std::move(loaded.warnings);
     input.ignored = std::move(loaded.ignored);
+    moveInput(input, options, options.frame.value_or(0), executor);
     return input;
+}
+
+void moveInput(Input& input, const CommonOptions& options, int frame, Executor& executor) {
+    moveScene(input.scene, frame, executor);
+    input.frame = frame;
+    try {
+        input.scene.camera = mergeCamera(input.scene.camera, options);
+    } catch (const InputError& error) {
+        if (!input.scene.animation.camera) throw;
+        throw InputError("frame " + std::to_string(frame) + ", " + error.what());
+    }
 }
 
 } // namespace dirt

@@ -16,6 +16,7 @@ namespace dirt {
 struct Input {
     Scene scene;             ///< with a camera, and a light where the file is a bare OBJ
     RenderSettings settings; ///< options over the scene file over the defaults
+    int frame = 0;           ///< that the scene is at
     std::vector<Warning> warnings;
     std::vector<std::string> ignored; ///< names in the files that have no effect
 };
@@ -30,8 +31,13 @@ std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& exe
 std::unique_ptr<Backend> makeBackend(BackendKind kind, const CommonOptions& options,
                                      Executor& executor);
 
-/// Loads SCENE of \p options; a scene without a camera gets one, a bare OBJ also a light and a
-/// background. Prints the warnings on standard error unless --quiet. Throws InputError.
+/// Loads SCENE of \p options and brings it to their frame. A scene without a camera gets one that
+/// shows its frame 0; a bare OBJ also a light and a background. Prints the warnings on standard
+/// error unless --quiet. Throws InputError.
 Input openInput(const CommonOptions& options, Executor& executor);
+
+/// Brings the scene of openInput to another frame. Throws InputError where that frame has no image:
+/// a vertex leaves float32, or the camera has no direction.
+void moveInput(Input& input, const CommonOptions& options, int frame, Executor& executor);
 
 } // namespace dirt

@@ -7,6 +7,7 @@ Json reportOf(const Input& input, const Backend& backend, const Executor& execut
     const GridSettings& grid = input.settings.grid;
     Json report;
     report["scene"] = input.scene.name;
+    report["animation_frame"] = input.frame;
     report["backend"] = backend.name();
     report["device"] = backend.device();
     report["triangles"] = input.scene.mesh.triangles.size();

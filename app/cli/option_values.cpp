@@ -101,4 +101,18 @@ CLI::Option* addSize(CLI::App& command, const std::string& name, int high, const
     });
 }
 
+CLI::Option* addRange(CLI::App& command, const std::string& name, int high, const std::string& help,
+                      std::function<void(int first, int last)> set) {
+    const std::string expected = "a range A:B, from 0 to " + std::to_string(high);
+    return addText(command, name, "A:B", help, [=](const std::string& text) {
+        const std::string_view all = text;
+        const size_t colon = all.find(':');
+        int first = 0, last = 0;
+        if (colon == all.npos || !parse(all.substr(0, colon), first) ||
+            !parse(all.substr(colon + 1), last) || first < 0 || last < first || last > high)
+            refuse(name, text, expected);
+        set(first, last);
+    });
+}
+
 } // namespace dirt

@@ -34,4 +34,8 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name,
 CLI::Option* addSize(CLI::App& command, const std::string& name, int high, const std::string& help,
                      std::function<void(int width, int height)> set);
 
+/// Text of the form A:B, two whole numbers from 0 to \p high of which the second is not less.
+CLI::Option* addRange(CLI::App& command, const std::string& name, int high, const std::string& help,
+                      std::function<void(int first, int last)> set);
+
 } // namespace dirt

@@ -4,6 +4,7 @@
 #include "app/cli/option_values.h"
 #include "core/grid/view.h"
 #include "core/io/error.h"
+#include "core/scene/animation.h"
 
 #include <glm/geometric.hpp>
 
@@ -66,6 +67,8 @@ void addImageOptions(CLI::App& command, CommonOptions& o) {
     addVector(command, "--up", "which way is up", [&o](glm::vec3 v) { o.up = v; });
     addNumber(command, "--fov", 0.0f, 180.0f, "vertical field of view, degrees",
               [&o](float degrees) { o.verticalFov = degrees; });
+    addInteger(command, "--frame", 0, kMaxFrame, "of an animated scene (default: 0)",
+               [&o](int64_t n) { o.frame = (int) n; });
 }
 
 } // namespace

@@ -43,6 +43,8 @@ struct CommonOptions {
     std::optional<glm::vec3> eye, target, up;
     std::optional<float> verticalFov; ///< degrees
 
+    std::optional<int> frame; ///< of an animated scene
+
     unsigned threads = 0; ///< 0: all cores
     bool quiet = false;   ///< nothing on standard error but errors
     bool strict = false;  ///< what a scene lacks is an error, not a warning

@@ -28,19 +28,21 @@ std::string clockText(double seconds) {
 ProgressBar::ProgressBar(bool quiet)
     : shown_(!quiet && isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
 
-ProgressBar::~ProgressBar() {
+void ProgressBar::clear() {
     if (shown_) std::fputs("\r\033[K", stderr);
 }
 
-void ProgressBar::show(int done, int total) {
+void ProgressBar::show(int64_t done, int64_t total) {
     if (!shown_) return;
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-    const int filled = (int) ((long) kWidth * done / total);
+    const int filled = (int) (kWidth * done / total);
     const std::string bar =
         std::string((size_t) filled, '#') + std::string((size_t) (kWidth - filled), '.');
-    std::fprintf(stderr, "\r[%s] %d of %d samples", bar.c_str(), done, total);
+    std::fprintf(stderr, "\r[%s] %lld of %lld samples", bar.c_str(), (long long) done,
+                 (long long) total);
     if (done > 0)
-        std::fprintf(stderr, ", %s left", clockText(spent.count() * (total - done) / done).c_str());
+        std::fprintf(stderr, ", %s left",
+                     clockText(spent.count() * (double) (total - done) / (double) done).c_str());
     std::fputs("\033[K", stderr);
     std::fflush(stderr);
 }

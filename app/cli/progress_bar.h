@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 
 namespace dirt {
 
@@ -9,13 +10,14 @@ namespace dirt {
 class ProgressBar {
 public:
     explicit ProgressBar(bool quiet);
-    /// Clears the line.
-    ~ProgressBar();
+    ~ProgressBar() { clear(); }
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     /// \p done of \p total samples are finished.
-    void show(int done, int total);
+    void show(int64_t done, int64_t total);
+    /// Clears the line, for others to print.
+    void clear();
 
 private:
     bool shown_;

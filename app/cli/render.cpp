@@ -2,37 +2,62 @@
 #include "app/cli/input.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/json_report.h"
+#include "app/cli/option_values.h"
 #include "app/cli/progress_bar.h"
 #include "core/frame/renderer.h"
+#include "core/io/error.h"
 #include "core/io/image.h"
 #include "core/io/output_file.h"
 #include "core/path/tone_mapping.h"
 
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace dirt {
 
 namespace {
 
+/// Frames to render, one picture each.
+struct FrameRange {
+    int first = 0, last = 0;
+
+    int64_t count() const { return (int64_t) last - first + 1; }
+};
+
 struct RenderOptions {
     CommonOptions common;
-    std::string output; ///< empty: the scene's name with .png, in the current folder
-    std::string stats;  ///< empty: none
+    std::optional<FrameRange> frames; ///< none: the one of the common options
+    std::string output;               ///< empty: the scene's name with .png, in the current folder
+    std::string stats;                ///< empty: none
     bool json = false;
 };
+
+/// NAME.0007.png for frame 7 of NAME.png.
+std::string numbered(const std::string& path, int frame) {
+    const std::filesystem::path file(path);
+    char number[16];
+    std::snprintf(number, sizeof number, ".%04d", frame);
+    return (file.parent_path() / file.stem()).string() + number + file.extension().string();
+}
 
 /// What the image file says of itself. Nothing that differs between runs, so that equal renders
 /// are equal files.
 ImageMetadata describe(const Input& input, const RenderResult& result) {
     const RenderSettings& settings = input.settings;
     const bool full = settings.grid.mode == ViewMode::full;
-    return {{"dirt:scene", input.scene.name},
-            {"dirt:samples", std::to_string(result.samples)},
-            {"dirt:bounces", std::to_string(settings.bounces)},
-            {"dirt:seed", std::to_string(settings.seed)},
-            {"dirt:view", full ? "full" : "single"}};
+    ImageMetadata metadata = {{"dirt:scene", input.scene.name},
+                              {"dirt:samples", std::to_string(result.samples)},
+                              {"dirt:bounces", std::to_string(settings.bounces)},
+                              {"dirt:seed", std::to_string(settings.seed)},
+                              {"dirt:view", full ? "full" : "single"}};
+    if (!input.scene.animation.empty())
+        metadata.emplace_back("dirt:frame", std::to_string(input.frame));
+    return metadata;
 }
 
 void writeImage(const std::string& path, const Input& input, const RenderResult& result) {
@@ -61,44 +86,100 @@ Json report(const Input& input, const Backend& backend, const Executor& executor
     return json;
 }
 
-RenderResult render(const RenderOptions& options, const Input& input, Backend& backend) {
-    ProgressBar bar(options.common.quiet);
-    RenderHooks hooks;
-    hooks.progress = [&bar](int done, int total) { bar.show(done, total); };
-    hooks.stop = interrupted;
-    bar.show(0, input.settings.samples);
-    return Renderer(input.scene, input.settings, backend).render(hooks);
-}
+/// Renders the frames that are asked for and writes each picture when it is done.
+class Render {
+public:
+    explicit Render(const RenderOptions& options)
+        : options_(options), common_(options.common), executor_(makeExecutor(common_)) {}
 
-int runRender(const RenderOptions& options) {
-    if (!options.output.empty()) {
-        imageFormat(options.output);
-        checkWritable(options.output);
-    }
-    if (!options.stats.empty()) checkWritable(options.stats);
+    int run() {
+        checkOutputs();
+        input_ = openInput(common_, *executor_);
+        const FrameRange frames = options_.frames.value_or(FrameRange{input_.frame, input_.frame});
+        checkFrames(frames);
+        backend_ = makeBackend(common_, *executor_);
 
-    const auto executor = makeExecutor(options.common);
-    const Input input = openInput(options.common, *executor);
-    const std::string output = options.output.empty() ? input.scene.name + ".png" : options.output;
-    checkWritable(output);
-    const auto backend = makeBackend(options.common, *executor);
-
-    catchInterrupts();
-    const RenderResult result = render(options, input, *backend);
-    const bool stopped = result.samples < input.settings.samples;
-    if (stopped)
-        std::fprintf(stderr, "dirt: stopped after %d of %d samples%s\n", result.samples,
-                     input.settings.samples, result.samples == 0 ? ", no image written" : "");
-    if (result.samples > 0) {
-        writeImage(output, input, result);
-        if (!options.common.quiet) std::fprintf(stderr, "%s\n", output.c_str());
+        catchInterrupts();
+        int status = 0;
+        {
+            ProgressBar bar(common_.quiet);
+            bar.show(0, frames.count() * input_.settings.samples);
+            for (int k = frames.first; k <= frames.last && status == 0; ++k)
+                status = renderFrame(k, k - frames.first, frames.count(), bar);
+        }
+        writeReports();
+        return status;
     }
 
-    const std::string text = report(input, *backend, *executor, result).dump(2) + "\n";
-    if (!options.stats.empty()) writeFile(options.stats, text);
-    if (options.json) std::fputs(text.c_str(), stdout);
-    return stopped ? kInterrupted : 0;
-}
+private:
+    void checkOutputs() const {
+        if (options_.frames && common_.frame)
+            throw InputError("--frame and --frames exclude each other");
+        if (!options_.output.empty()) {
+            imageFormat(options_.output);
+            if (!options_.frames) checkWritable(options_.output);
+        }
+        if (!options_.stats.empty()) checkWritable(options_.stats);
+    }
+
+    /// That none will fail after the ones before it have been rendered.
+    void checkFrames(const FrameRange& frames) {
+        for (int k = frames.first; k <= frames.last; ++k) {
+            if (k != input_.frame) moveInput(input_, common_, k, *executor_);
+            checkWritable(outputOf(k));
+        }
+    }
+
+    std::string outputOf(int frame) const {
+        const std::string output =
+            options_.output.empty() ? input_.scene.name + ".png" : options_.output;
+        return options_.frames ? numbered(output, frame) : output;
+    }
+
+    /// \p place: of the frame among \p count. Returns the exit status.
+    int renderFrame(int frame, int64_t place, int64_t count, ProgressBar& bar) {
+        if (frame != input_.frame) moveInput(input_, common_, frame, *executor_);
+        RenderHooks hooks;
+        hooks.stop = interrupted;
+        hooks.progress = [&](int done, int total) {
+            bar.show(place * total + done, count * total);
+        };
+        const RenderResult result =
+            Renderer(input_.scene, input_.settings, *backend_).render(hooks);
+        const bool stopped = result.samples < input_.settings.samples;
+        // Of several frames, those that are there have all their samples.
+        const bool written = result.samples > 0 && !(stopped && options_.frames);
+        if (stopped) bar.clear();
+        if (stopped && options_.frames)
+            std::fprintf(stderr, "dirt: stopped in frame %d, %lld frames written\n", frame,
+                         (long long) place);
+        else if (stopped)
+            std::fprintf(stderr, "dirt: stopped after %d of %d samples%s\n", result.samples,
+                         input_.settings.samples, written ? "" : ", no image written");
+        if (written) {
+            writeImage(outputOf(frame), input_, result);
+            bar.clear();
+            if (!common_.quiet) std::fprintf(stderr, "%s\n", outputOf(frame).c_str());
+        }
+        if (written || !options_.frames)
+            reports_.push_back(report(input_, *backend_, *executor_, result));
+        return stopped ? kInterrupted : 0;
+    }
+
+    void writeReports() const {
+        const Json json = options_.frames ? Json{{"frames", reports_}} : reports_.front();
+        const std::string text = json.dump(2) + "\n";
+        if (!options_.stats.empty()) writeFile(options_.stats, text);
+        if (options_.json) std::fputs(text.c_str(), stdout);
+    }
+
+    const RenderOptions& options_;
+    const CommonOptions& common_;
+    std::unique_ptr<Executor> executor_;
+    std::unique_ptr<Backend> backend_;
+    Input input_;
+    std::vector<Json> reports_; ///< of each frame
+};
 
 } // namespace
 
@@ -109,9 +190,13 @@ void addRender(CLI::App& program, int& status) {
     command->add_option("-o,--output", options->output,
                         "FILE.png or FILE.exr; default: the scene's name with .png, in the current "
                         "folder");
+    addRange(*command, "--frames", kMaxFrame, "frames of an animated scene, as NAME.0007.png",
+             [options](int first, int last) {
+                 options->frames = FrameRange{first, last};
+             });
     command->add_option("--stats", options->stats, "write what the run measured to FILE.json");
     command->add_flag("--json", options->json, "print the same on standard output");
-    command->callback([options, &status] { status = runRender(*options); });
+    command->callback([options, &status] { status = Render(*options).run(); });
 }
 
 } // namespace dirt

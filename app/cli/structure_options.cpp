@@ -20,7 +20,8 @@ std::string structureOptions(const Input& input) {
     const auto option = [](const char* name, int value) {
         return std::string(" ") + name + " " + std::to_string(value);
     };
-    std::string options = grid.mode == ViewMode::full ? " --view full" : " --view single";
+    std::string options = input.frame > 0 ? option("--frame", input.frame) : "";
+    options += grid.mode == ViewMode::full ? " --view full" : " --view single";
     options += " --size " + std::to_string(grid.width) + "x" + std::to_string(grid.height);
     if (grid.viewSize > 0) options += option("--view-size", grid.viewSize);
     options += option("--tile", grid.tile) + option("--bins", grid.bins);

@@ -1,5 +1,6 @@
 #include "core/io/load.h"
 
+#include "core/frame/move_scene.h"
 #include "core/io/find_file.h"
 #include "core/io/scene_builder.h"
 
@@ -26,6 +27,18 @@ fs::path findObject(const SceneFile& source, const SceneFile::Object& object) {
     failAt(source.file, object.line, "object file " + inQuotes(object.file) + " not found");
 }
 
+/// Takes note of all positions and normals of \p mesh from the given ones on as what moves with a
+/// space.
+void addMovingPart(const Mesh& mesh, uint32_t space, size_t firstPosition, size_t firstNormal,
+                   Animation& animation) {
+    MovingPart& part = animation.parts.emplace_back();
+    part.space = space;
+    part.firstPosition = firstPosition;
+    part.firstNormal = firstNormal;
+    part.positions.assign(mesh.positions.begin() + (ptrdiff_t) firstPosition, mesh.positions.end());
+    part.normals.assign(mesh.normals.begin() + (ptrdiff_t) firstNormal, mesh.normals.end());
+}
+
 void loadSceneFile(const fs::path& file, SceneBuilder& builder, LoadReport& report,
                    LoadedScene& loaded) {
     const SceneFile source = readSceneFile(file, report);
@@ -37,8 +50,13 @@ void loadSceneFile(const fs::path& file, SceneBuilder& builder, LoadReport& repo
     loaded.settings = source.settings;
     loaded.hasCamera = source.hasCamera;
     loaded.hasLight = source.light.has_value();
-    for (const SceneFile::Object& object : source.objects)
-        builder.addObj(findObject(source, object), object.toWorld);
+    scene.animation = source.animation;
+    for (const SceneFile::Object& object : source.objects) {
+        const size_t positions = scene.mesh.positions.size(), normals = scene.mesh.normals.size();
+        builder.addObj(findObject(source, object), object.toSpace);
+        if (object.space != MovingSpace::kWorld)
+            addMovingPart(scene.mesh, object.space, positions, normals, scene.animation);
+    }
 }
 
 } // namespace
@@ -56,6 +74,8 @@ LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
         failAt(file, 0, "is neither a .scene nor a .obj file");
     if (loaded.scene.mesh.triangles.empty()) failAt(file, 0, "holds no triangles");
 
+    SerialExecutor serial;
+    moveScene(loaded.scene, 0, serial);
     loaded.scene.name = printable(file.stem().string());
     loaded.warnings = report.warnings();
     loaded.ignored = report.ignored();

@@ -14,7 +14,7 @@ struct LoadOptions {
     bool strict = false; ///< what would be a warning is an InputError
 };
 
-/// A scene, and what its file said besides.
+/// A scene, at frame 0 if it is animated, and what its file said besides.
 struct LoadedScene {
     Scene scene;
     SceneSettings settings;

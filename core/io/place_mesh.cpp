@@ -2,6 +2,7 @@
 
 #include "core/io/ear_clipping.h"
 #include "core/io/number.h"
+#include "core/scene/transform.h"
 
 #include <cmath>
 
@@ -12,15 +13,6 @@
 namespace dirt {
 
 namespace {
-
-/// The matrix that takes normals along: the inverse transpose up to a positive factor, which also
-/// exists where the transform flattens space. It is the cofactor matrix, turned where the
-/// transform mirrors.
-glm::dmat3 normalMatrix(const glm::dmat3& m) {
-    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
-                               glm::cross(m[0], m[1]));
-    return glm::dot(m[0], cofactors[0]) < 0.0 ? -cofactors : cofactors;
-}
 
 class MeshPlacer {
 public:

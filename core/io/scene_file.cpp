@@ -1,8 +1,9 @@
 #include "core/io/scene_file.h"
 
+#include "core/io/key_frames.h"
 #include "core/io/text_file.h"
-#include "core/io/transform.h"
 #include "core/io/xml.h"
+#include "core/scene/transform.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr SceneAttribute kHonoured[] = {
     {"world", "background"},
+    {"world", "fps"},
     {"directory", "path"},
     {"tracing", "faces"},
     {"tracing", "block_size"},
@@ -25,6 +27,17 @@ constexpr SceneAttribute kHonoured[] = {
     {"user", "position"},
     {"user", "lookat"},
     {"user", "target"}, // what some of the demo's files say for lookat
+    {"user", "up"},
+    {"key", "time"},
+    {"key", "frame"},
+    {"key", "scale"},
+    {"key", "rotation"},
+    {"key", "translation"},
+    {"key", "position"},
+    {"key", "lookat"},
+    {"key", "target"},
+    {"key", "up"},
+    {"key", "aperture"},
     {"light", "active"},
     {"light", "type"},
     {"light", "position"},
@@ -56,6 +69,7 @@ public:
             xml_.fail(root, "the root element must be <world>");
         const XmlAttributes attributes = attributesOf(root);
         scene_.background = attributes.colour("background").value_or(scene_.background);
+        scene_.animation.fps = attributes.real("fps", 0.001, 1e5).value_or(scene_.animation.fps);
         for (const pugi::xml_node child : root.children()) worldChild(child);
         return std::move(scene_);
     }
@@ -76,7 +90,7 @@ private:
         else if (name == "tonemapping")
             toneMapping(once(node));
         else
-            placed(node, glm::dmat4(1.0));
+            placed(node, Place());
     }
 
     /// Typed access to the node's attributes; those without effect are reported.
@@ -126,6 +140,8 @@ private:
         const XmlAttributes attributes = attributesOf(node);
         float& fov = scene_.camera.verticalFov;
         fov = attributes.number("aperture", 0.001, 179.0).value_or(fov);
+        if (const auto animation = keyFrames().animationIn(node))
+            keyFrames().cameraMotion(animation, cameraMotion());
         ignoreChildren(node);
     }
 
@@ -134,13 +150,27 @@ private:
         const auto eye = attributes.vector3("position");
         auto target = attributes.vector3("lookat");
         if (!target) target = attributes.vector3("target");
+        const auto up = attributes.vector3("up");
         scene_.hasCamera = eye.has_value() || target.has_value();
         if (eye) scene_.camera.eye = *eye;
         scene_.camera.target =
             target ? glm::vec3(*target) : scene_.camera.eye + glm::vec3(0.0f, 0.0f, -1.0f);
-        if (scene_.camera.target == scene_.camera.eye)
+        if (up) scene_.camera.up = *up;
+        if (const auto animation = keyFrames().animationIn(node)) {
+            keyFrames().userMotion(animation, cameraMotion());
+            scene_.hasCamera = true;
+        } else if (scene_.camera.target == scene_.camera.eye) {
             xml_.fail(node, "position and lookat are the same point");
+        }
+        if (scene_.camera.up == glm::vec3(0.0f)) xml_.fail(node, "up is zero");
         ignoreChildren(node);
+    }
+
+    KeyFrameReader keyFrames() const { return {xml_, scene_.animation.fps, report_}; }
+
+    CameraMotion& cameraMotion() {
+        if (!scene_.animation.camera) scene_.animation.camera.emplace();
+        return *scene_.animation.camera;
     }
 
     void light(pugi::xml_node node) {
@@ -180,51 +210,58 @@ private:
         ignoreChildren(node);
     }
 
+    /// Where an object stands: in a moving space or the world, and how in there.
+    struct Place {
+        uint32_t space = MovingSpace::kWorld;
+        glm::dmat4 toSpace{1.0};
+    };
+
     /// What may stand in a <transformation>, or in <world>.
-    void placed(pugi::xml_node node, const glm::dmat4& parentToWorld) {
+    void placed(pugi::xml_node node, const Place& parent) {
         const std::string_view name = node.name();
         if (name == "transformation")
-            transformation(node, parentToWorld);
+            transformation(node, parent);
         else if (name == "object")
-            object(node, parentToWorld);
+            object(node, parent);
         else
-            ignore(node);
+            ignoreNode(node, report_);
     }
 
-    void transformation(pugi::xml_node node, const glm::dmat4& parentToWorld) {
+    void transformation(pugi::xml_node node, const Place& parent) {
         const XmlAttributes attributes = attributesOf(node);
         const auto scale = attributes.vector3("scale").value_or(glm::dvec3(1.0));
         const auto translation = attributes.vector3("translation").value_or(glm::dvec3(0.0));
-        // Angle in degrees, then the axis.
-        glm::dvec4 rotation = attributes.vector4("rotation").value_or(glm::dvec4(0, 0, 1, 0));
-        if (glm::dvec3(rotation.y, rotation.z, rotation.w) == glm::dvec3(0.0)) {
-            if (rotation.x != 0.0) xml_.fail(node, "the rotation's axis is zero");
-            rotation = glm::dvec4(0, 0, 1, 0);
+        const Rotation rotation = rotationOf(xml_, node, attributes).value_or(Rotation());
+        Place place = parent;
+        const pugi::xml_node animation = keyFrames().animationIn(node);
+        if (animation) {
+            std::vector<MovingSpace>& spaces = scene_.animation.spaces;
+            spaces.push_back(
+                {parent.space, parent.toSpace,
+                 keyFrames().transformMotion(animation, scale, rotation, translation)});
+            place = {(uint32_t) spaces.size() - 1, glm::dmat4(1.0)};
+        } else {
+            place.toSpace *= placement(scale, rotationMatrix(rotation), translation);
         }
-        const glm::dmat4 toWorld =
-            parentToWorld * placement(scale, rotation.x,
-                                      glm::dvec3(rotation.y, rotation.z, rotation.w), translation);
-        for (const pugi::xml_node child : node.children()) placed(child, toWorld);
+        for (const pugi::xml_node child : node.children())
+            if (child != animation) placed(child, place);
     }
 
-    void object(pugi::xml_node node, const glm::dmat4& toWorld) {
+    void object(pugi::xml_node node, const Place& place) {
         const XmlAttributes attributes = attributesOf(node);
         const auto file = attributes.text("file");
         if (!file || trimmed(*file).empty()) xml_.fail(node, "file is missing");
-        scene_.objects.push_back({*file, xml_.line(node), toWorld});
+        scene_.objects.push_back({*file, xml_.line(node), place.toSpace, place.space});
         ignoreChildren(node);
     }
 
+    /// But for the animation, where the element has one.
     void ignoreChildren(pugi::xml_node node) {
-        for (const pugi::xml_node child : node.children()) ignore(child);
-    }
-
-    void ignore(pugi::xml_node node) {
-        const std::string parent = node.parent().name();
-        if (node.type() == pugi::node_element)
-            report_.ignore("element <" + std::string(node.name()) + "> in <" + parent + ">");
-        else
-            report_.ignore("text in <" + parent + ">");
+        const std::string_view name = node.name();
+        const bool animated = name == "user" || name == "camera";
+        for (const pugi::xml_node child : node.children())
+            if (!animated || std::string_view(child.name()) != "animation")
+                ignoreNode(child, report_);
     }
 
     XmlFile xml_;

@@ -26,21 +26,23 @@ struct SceneSettings {
 
 /// A .scene file: XML in the format of the 2017 DIRT demo. Geometry is named, not loaded.
 struct SceneFile {
-    /// One OBJ file and its place.
+    /// One model file and its place.
     struct Object {
         std::string file; ///< as written
         size_t line = 0;
-        glm::dmat4 toWorld{1.0};
+        glm::dmat4 toSpace{1.0};              ///< of a moving space, or of the world
+        uint32_t space = MovingSpace::kWorld; ///< into animation.spaces
     };
 
     std::filesystem::path file;
     std::vector<std::string> directories; ///< where objects are looked for, as written
     std::vector<Object> objects;
-    Camera camera;          ///< up is +Y
+    Camera camera;
     bool hasCamera = false; ///< whether the file says where the camera stands
     std::optional<Spotlight> light;
     glm::vec3 background{0.0f};
     ToneMapping toneMapping;
+    Animation animation; ///< without parts
     SceneSettings settings;
 };
 

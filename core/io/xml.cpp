@@ -90,6 +90,14 @@ void XmlFile::fail(pugi::xml_node node, const std::string& message) const {
     failAt(file_, line(node), "<" + printable(node.name()) + ">: " + message);
 }
 
+void ignoreNode(pugi::xml_node node, LoadReport& report) {
+    const std::string parent = node.parent().name();
+    if (node.type() == pugi::node_element)
+        report.ignore("element <" + std::string(node.name()) + "> in <" + parent + ">");
+    else
+        report.ignore("text in <" + parent + ">");
+}
+
 void XmlAttributes::fail(const char* name, const std::string& message) const {
     xml_.fail(node_,
               std::string(name) + "=" + inQuotes(node_.attribute(name).value()) + " " + message);
@@ -136,11 +144,17 @@ bool XmlAttributes::numbers(const char* name, double* values, int count) const {
     return true;
 }
 
-std::optional<float> XmlAttributes::number(const char* name, double lowest, double highest) const {
+std::optional<double> XmlAttributes::real(const char* name, double lowest, double highest) const {
     double value = 0.0;
     if (!numbers(name, &value, 1)) return std::nullopt;
     if (value < lowest || value > highest) fail(name, "is out of range");
-    return (float) value;
+    return value;
+}
+
+std::optional<float> XmlAttributes::number(const char* name, double lowest, double highest) const {
+    const auto value = real(name, lowest, highest);
+    if (!value) return std::nullopt;
+    return (float) *value;
 }
 
 std::optional<glm::dvec3> XmlAttributes::vector3(const char* name) const {

@@ -39,6 +39,9 @@ private:
     pugi::xml_document document_;
 };
 
+/// Reports an element, or text, that has no effect.
+void ignoreNode(pugi::xml_node node, LoadReport& report);
+
 /// Typed access to one element's attributes. Getters return nothing where the attribute is absent
 /// and throw InputError at the element's line where it is malformed.
 class XmlAttributes {
@@ -52,6 +55,8 @@ public:
     std::optional<int> integer(const char* name, int lowest, int highest) const;
     /// A finite number in [lowest, highest].
     std::optional<float> number(const char* name, double lowest, double highest) const;
+    /// The same in double.
+    std::optional<double> real(const char* name, double lowest, double highest) const;
     /// Three or four finite numbers, split at commas or blanks.
     std::optional<glm::dvec3> vector3(const char* name) const;
     std::optional<glm::dvec4> vector4(const char* name) const;

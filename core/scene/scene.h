@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene/animation.h"
 #include "core/scene/camera.h"
 #include "core/scene/light.h"
 #include "core/scene/material.h"
@@ -17,8 +18,9 @@ inline constexpr uint32_t kNoIndex = 0xffffffffu;
 /// Corner indices of one triangle into one of a Mesh's attribute arrays.
 using Corners = std::array<uint32_t, 3>;
 
-/// All triangles of a scene, in world space. A triangle's index is its primitive id: ids count
-/// through objects in file order, then faces, then the ear-clipped triangles of a face.
+/// All triangles of a scene, in world space; what moves, as it is in the frame at hand. A
+/// triangle's index is its primitive id: ids count through objects in file order, then faces, then
+/// the ear-clipped triangles of a face.
 struct Mesh {
     std::vector<glm::vec3> positions; ///< world space; static transforms already applied
     std::vector<glm::vec3> normals;   ///< unit length, world space; may be empty
@@ -40,6 +42,7 @@ struct Scene {
     Camera camera;
     glm::vec3 background{0.0f}; ///< radiance of rays that miss
     ToneMapping toneMapping;
+    Animation animation; ///< moveScene brings mesh and camera to a frame
 };
 
 } // namespace dirt

@@ -150,7 +150,7 @@ TEST_F(DemoFiles, HangarIsWhatItsTextSays) {
     EXPECT_EQ(scene.toneMapping.white, 2.0f);
     EXPECT_EQ(scene.objects[2].file, "dreadnaught.obj");
     EXPECT_EQ(scene.objects[2].line, 37u);
-    EXPECT_EQ(scene.objects[2].toWorld[3], glm::dvec4(3, 0, 26, 1));
+    EXPECT_EQ(scene.objects[2].toSpace[3], glm::dvec4(3, 0, 26, 1));
 }
 
 } // namespace

@@ -136,7 +136,7 @@ TEST_F(SceneXml, NestsTransformations) {
                                       "<object file='c.obj'/>");
     ASSERT_EQ(scene.objects.size(), 3u);
     const auto place = [&](size_t i) {
-        return glm::dvec3(scene.objects[i].toWorld * glm::dvec4(1, 0, 0, 1));
+        return glm::dvec3(scene.objects[i].toSpace * glm::dvec4(1, 0, 0, 1));
     };
     EXPECT_EQ(scene.objects[0].file, "a.obj");
     EXPECT_EQ(scene.objects[1].file, "b.obj");
@@ -219,9 +219,19 @@ TEST_F(SceneXml, HonouredAttributesAreRead) {
     for (const auto& [element, attribute] : honouredSceneAttributes()) {
         if (element == "directory" || element == "object") continue;
         const std::string nonsense = std::string(attribute) + "='?'";
-        const std::string text =
-            element == "world" ? "<world " + nonsense + "/>"
+        std::string text = element == "world"
+                               ? "<world " + nonsense + "/>"
                                : "<world><" + std::string(element) + " " + nonsense + "/></world>";
+        if (element == "key") {
+            const bool timed = attribute == "time" || attribute == "frame";
+            const std::string animated =
+                attribute == "aperture" ? "camera"
+                : attribute == "scale" || attribute == "rotation" || attribute == "translation"
+                    ? "transformation"
+                    : "user";
+            text = "<world><" + animated + "><animation><key " + (timed ? "" : "time='0' ") +
+                   nonsense + "/></animation></" + animated + "></world>";
+        }
         EXPECT_NE(error(text).find(nonsense), std::string::npos) << text;
         EXPECT_TRUE(report_.ignored().empty());
     }

@@ -1,4 +1,4 @@
-#include "core/io/transform.h"
+#include "core/scene/transform.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ glm::dvec3 apply(const glm::dmat4& m, glm::dvec3 p) {
 }
 
 TEST(Transform, ScalesThenTurnsThenMoves) {
-    const glm::dmat4 m = placement({2, 3, 4}, 90, {0, 1, 0}, {10, 20, 30});
+    const glm::dmat4 m = placement({2, 3, 4}, rotationMatrix({90, {0, 1, 0}}), {10, 20, 30});
     // About +Y, +X turns to -Z and +Z to +X.
     EXPECT_EQ(apply(m, {1, 0, 0}), glm::dvec3(10, 20, 28));
     EXPECT_EQ(apply(m, {0, 1, 0}), glm::dvec3(10, 23, 30));
@@ -25,7 +25,8 @@ TEST(Transform, ScalesThenTurnsThenMoves) {
 TEST(Transform, QuarterTurnsAreExact) {
     const glm::dvec3 expected[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
     for (int quarters = -9; quarters <= 9; ++quarters)
-        EXPECT_EQ(apply(placement(glm::dvec3(1), 90.0 * quarters, {0, 0, 5}, {}), {1, 0, 0}),
+        EXPECT_EQ(apply(placement(glm::dvec3(1), rotationMatrix({90.0 * quarters, {0, 0, 5}}), {}),
+                        {1, 0, 0}),
                   expected[((quarters % 4) + 4) % 4])
             << quarters;
 }
@@ -33,7 +34,7 @@ TEST(Transform, QuarterTurnsAreExact) {
 TEST(Transform, TurnsAboutAnyAxis) {
     // A third of a turn about (1, 1, 1) permutes the axes. Sine, cosine and the axis carry half an
     // ulp each and Rodrigues' formula sums three products: 8 ulp hold them.
-    const glm::dmat4 m = placement(glm::dvec3(1), 120, {1, 1, 1}, {});
+    const glm::dmat4 m = placement(glm::dvec3(1), rotationMatrix({120, {1, 1, 1}}), {});
     EXPECT_LT(glm::length(apply(m, {1, 0, 0}) - glm::dvec3(0, 1, 0)), 8 * 0x1p-52);
     EXPECT_LT(glm::length(apply(m, {0, 1, 0}) - glm::dvec3(0, 0, 1)), 8 * 0x1p-52);
     EXPECT_LT(glm::length(apply(m, {0, 0, 1}) - glm::dvec3(1, 0, 0)), 8 * 0x1p-52);
