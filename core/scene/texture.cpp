@@ -2,7 +2,6 @@
 
 #include "shaders/shared/texture_lookup.h"
 
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -33,6 +32,10 @@ Texture::Texture(std::string file, int width, int height, std::vector<uint8_t> t
 Texture::Texture(std::string file, int width, int height, std::vector<float> texels)
     : file_(std::move(file)), width_(width), height_(height), floats_(std::move(texels)) {
     assert(floats_.size() == (size_t) width_ * (size_t) height_ * 3);
+}
+
+const std::array<float, 256>& Texture::decodedBytes() {
+    return kDecode;
 }
 
 glm::vec3 Texture::texel(int x, int y) const {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,12 @@ public:
     const std::string& file() const { return file_; }
     int width() const { return width_; }
     int height() const { return height_; }
+    /// Three channels a texel, first row on top: sRGB-encoded bytes or linear floats, the other is
+    /// empty.
+    std::span<const uint8_t> encodedTexels() const { return bytes_; }
+    std::span<const float> linearTexels() const { return floats_; }
+    /// The linear value of each sRGB-encoded byte.
+    static const std::array<float, 256>& decodedBytes();
     size_t bytes() const { return bytes_.size() + floats_.size() * sizeof(float); }
 
 private:
