@@ -2,8 +2,11 @@
 
 #include "backend_gl/depth_bounds.h"
 #include "backend_gl/gl_context.h"
+#include "backend_gl/grid_views.h"
 #include "backend_gl/id_buffer.h"
 #include "backend_gl/programs.h"
+#include "backend_gl/ray_caster.h"
+#include "backend_gl/sample_passes.h"
 #include "backend_gl/triangle_buffer.h"
 #include "core/frame/backend.h"
 
@@ -21,7 +24,8 @@ struct GlOptions {
     int segmentBits = 0; ///< nodes of one segment of the pool; 0: the driver's limit
 };
 
-/// The structure built in GLSL through the rasterization pipeline. To be used by one thread at a
+/// The structure built in GLSL through the rasterization pipeline, and traced and shaded there. To
+/// be used by one thread at a
 /// time.
 class GlBackend final : public Backend {
 public:
@@ -67,9 +71,9 @@ public:
     void writeGrid(const Grid& grid) override;
     PathBuffers readPaths() const override;
     void writePaths(const PathBuffers& paths) override;
-    std::vector<glm::vec3> readImage() const override { return {}; }
+    std::vector<glm::vec3> readImage() const override;
 
-    FrameCounts counts() const override { return {}; }
+    FrameCounts counts() const override { return passes_.counts(); }
     std::vector<BufferSize> memory() const override;
     uint64_t listEntries() const override { return ids_.counts().entries; }
 
@@ -77,6 +81,9 @@ private:
     void useGrid(Grid grid);
     [[noreturn]] void refuseLists();
     void cast(std::span<const Ray> rays, std::span<const float> maxT, std::span<Hit> hits);
+    TracedStructure structure() const;
+    /// After a pass: its time is its own, and what the driver complains of is thrown.
+    void endPass() const;
 
     GlContext context_;
     Programs programs_;
@@ -87,10 +94,9 @@ private:
     IdBuffer ids_;
     Grid grid_; ///< views and settings alone
     Camera camera_;
-    std::vector<uint32_t> atEye_;
-    uint32_t turns_ = 1 << 10; ///< of a ray in one dispatch; fewer where the driver cuts loops
-    GlBuffer parameters_, borders_, slopes_;
-    GlTexture borderView_, slopeView_;
+    GridViews views_;
+    RayCaster caster_;
+    SamplePasses passes_;
 };
 
 } // namespace dirt

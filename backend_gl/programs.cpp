@@ -11,6 +11,28 @@ std::string triangles(Proposal proposal) {
     return std::string("DIRT_TRIANGLES ") + (proposal == Proposal::triangles ? "1" : "0");
 }
 
+std::string define(const char* name, int value) {
+    return std::string(name) + " " + std::to_string(value);
+}
+
+std::vector<std::string> surfaceDefines(const SurfaceVariant& surfaces) {
+    std::vector<std::string> defines = {define("DIRT_NORMALS", surfaces.normals),
+                                        define("DIRT_TEXTURES", surfaces.textures),
+                                        define("DIRT_EMISSION", surfaces.emission)};
+    if (surfaces.textures) {
+        defines.push_back(define("DIRT_TEXEL_PIECES", surfaces.texelPieces));
+        defines.push_back(define("DIRT_TEXEL_PIECE_BITS", surfaces.texelPieceBits));
+    }
+    return defines;
+}
+
+/// The same with the size of what a rasterized triangle leaves.
+std::vector<std::string> depositDefines(const SurfaceVariant& surfaces) {
+    std::vector<std::string> defines = surfaceDefines(surfaces);
+    defines.push_back("DIRT_DEPOSIT " + std::to_string(surfaces.depositWords()) + "u");
+    return defines;
+}
+
 std::string cases() {
     return "DIRT_CASES " + std::to_string(kSelfTestCases);
 }
@@ -53,13 +75,81 @@ ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segment
             {}};
 }
 
-ProgramSource traceSource(bool anyHit, int segments, int segmentBits) {
-    return {anyHit ? "Visibility" : "Trace",
+ProgramSource traceSource(Search search, int segments, int segmentBits) {
+    return {search == Search::any ? "Visibility" : "Trace",
             {"trace.comp"},
-            {std::string("DIRT_ANY_HIT ") + (anyHit ? "1" : "0"),
-             "DIRT_SEGMENTS " + std::to_string(segments),
-             "DIRT_SEGMENT_BITS " + std::to_string(segmentBits)},
+            {define("DIRT_ANY_HIT", search == Search::any),
+             define("DIRT_PATHS", search == Search::paths), define("DIRT_SEGMENTS", segments),
+             define("DIRT_SEGMENT_BITS", segmentBits)},
             {}};
+}
+
+ProgramSource clearPathsSource(bool rays, bool current) {
+    return {"Clear of the paths",
+            {"clear_paths.comp"},
+            {define("DIRT_RAYS", rays), define("DIRT_CURRENT", current)},
+            {}};
+}
+
+ProgramSource depthMaskSource() {
+    return {"DepthMask", {"depth_mask.comp"}, {}, {}};
+}
+
+ProgramSource raysSource(bool scatters) {
+    return {"Rays", {"rays.comp"}, {define("DIRT_SCATTERS", scatters)}, {}};
+}
+
+ProgramSource directVisibilitySource() {
+    return {"DirectVisibility", {"direct_visibility.vert", "direct_visibility.frag"}, {}, {}};
+}
+
+ProgramSource firstPointsSource(const SurfaceVariant& surfaces) {
+    return {"DirectVisibility's points", {"first_points.comp"}, surfaceDefines(surfaces), {}};
+}
+
+ProgramSource fetchSource(const SurfaceVariant& surfaces, bool raster) {
+    std::vector<std::string> defines = raster ? depositDefines(surfaces) : surfaceDefines(surfaces);
+    defines.push_back(define("DIRT_RASTER", raster));
+    return {"Fetch", {"fetch.comp"}, std::move(defines), {}};
+}
+
+ProgramSource groupHitsSource() {
+    return {"Fetch's groups", {"group_hits.comp"}, {}, {}};
+}
+
+ProgramSource rasterFetchSource(ViewMode mode, const SurfaceVariant& surfaces) {
+    std::vector<std::string> defines = depositDefines(surfaces);
+    defines.push_back(views(mode));
+    defines.push_back(triangles(Proposal::rectangles));
+    return {"Fetch's rasterization",
+            {"triangles.vert", "propose_tiles.geom", "fetch.frag"},
+            std::move(defines),
+            {}};
+}
+
+ProgramSource fetchAtEyeSource(const SurfaceVariant& surfaces) {
+    return {"Fetch at the eye", {"fetch_at_eye.comp"}, depositDefines(surfaces), {}};
+}
+
+ProgramSource shadowRaysSource(ViewMode mode) {
+    return {
+        "shadow rays", {"shadow_rays.comp"}, {define("DIRT_SINGLE", mode == ViewMode::single)}, {}};
+}
+
+ProgramSource visibilitySource() {
+    return {"Visibility's answers", {"visibility.comp"}, {}, {}};
+}
+
+ProgramSource shadeSource(bool secondary, bool emission, bool background, bool light) {
+    return {"Shade",
+            {"shade.comp"},
+            {define("DIRT_SECONDARY", secondary), define("DIRT_EMISSION", emission),
+             define("DIRT_BACKGROUND", background), define("DIRT_LIGHT", light)},
+            {}};
+}
+
+ProgramSource resolveSource() {
+    return {"Resolve", {"resolve.comp"}, {}, {}};
 }
 
 ProgramSource selfTestRasterSource() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "backend_gl/program.h"
+#include "core/frame/requirements.h"
 #include "core/grid/geometry.h"
 
 #include <map>
@@ -17,6 +18,19 @@ inline constexpr int kSelfTestCases = 64;
 /// conservative rasterization makes all their tiles of.
 enum class Proposal { rectangles, triangles };
 
+/// What trace.comp searches for: nearest or any hits of RayRecords, nearest hits of paths' rays.
+enum class Search { nearest, any, paths };
+
+/// How surfaces are fetched: what the scene has, and how its texels are stored.
+struct SurfaceVariant {
+    bool normals = false, textures = false, emission = false;
+    int texelPieces = 1;
+    int texelPieceBits = 0; ///< log2 of a piece's words
+
+    /// Words that a rasterized triangle leaves with its hits.
+    int depositWords() const { return 10 + (normals ? 9 : 0) + (textures ? 6 : 0); }
+};
+
 /// The programs of the passes. Variants differ by what the frame asks for, and by the driver's
 /// limits: \p segments of 2^\p segmentBits nodes each.
 ProgramSource transformSource();
@@ -26,7 +40,20 @@ ProgramSource trianglesAtEyeSource();
 ProgramSource fillDepthSource(ViewMode mode, Proposal proposal);
 ProgramSource fillDepthMipmapSource();
 ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segments, int segmentBits);
-ProgramSource traceSource(bool anyHit, int segments, int segmentBits);
+ProgramSource traceSource(Search search, int segments, int segmentBits);
+ProgramSource clearPathsSource(bool rays, bool current);
+ProgramSource depthMaskSource();
+ProgramSource raysSource(bool scatters);
+ProgramSource directVisibilitySource();
+ProgramSource firstPointsSource(const SurfaceVariant& surfaces);
+ProgramSource fetchSource(const SurfaceVariant& surfaces, bool raster);
+ProgramSource groupHitsSource();
+ProgramSource rasterFetchSource(ViewMode mode, const SurfaceVariant& surfaces);
+ProgramSource fetchAtEyeSource(const SurfaceVariant& surfaces);
+ProgramSource shadowRaysSource(ViewMode mode);
+ProgramSource visibilitySource();
+ProgramSource shadeSource(bool secondary, bool emission, bool background, bool light);
+ProgramSource resolveSource();
 ProgramSource selfTestRasterSource();
 ProgramSource selfTestComputeSource();
 

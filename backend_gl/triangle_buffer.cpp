@@ -16,13 +16,18 @@ uint32_t groups(uint32_t count, uint32_t perGroup) {
 }
 
 /// A vertex array whose attribute 0 is a vec3 of \p buffer.
-GlVertexArray vertexArray(const GlBuffer& buffer) {
+GlVertexArray vertexArray(GLuint buffer) {
     GlVertexArray array = makeVertexArray();
     glEnableVertexArrayAttrib(array.id(), 0);
     glVertexArrayAttribFormat(array.id(), 0, 3, GL_FLOAT, GL_FALSE, 0);
     glVertexArrayAttribBinding(array.id(), 0, 0);
-    glVertexArrayVertexBuffer(array.id(), 0, buffer.id(), 0, 3 * sizeof(float));
+    glVertexArrayVertexBuffer(array.id(), 0, buffer, 0, 3 * sizeof(float));
     return array;
+}
+
+TexelBuffer cornerBuffer(size_t triangles, const void* data) {
+    return {GL_RGB32F, sizeof(glm::vec3), triangles * sizeof(Triangle), data,
+            "corners of triangles"};
 }
 
 void setVector(GLint location, glm::vec3 v) {
@@ -39,12 +44,13 @@ TriangleBuffer::TriangleBuffer(Programs& programs)
 
 void TriangleBuffer::transform(const Mesh& mesh, const Camera& camera, ViewMode mode) {
     frame_ = makeUnscaledFrame(camera, mode);
-    corners_ = GlBuffer(mesh.triangles.size() * sizeof(Triangle));
+    corners_ = {}; // before the next ones are allocated
+    corners_ = cornerBuffer(mesh.triangles.size(), nullptr);
     if (mesh.triangles.empty()) return;
 
     const GlBuffer positions(mesh.positions.size() * sizeof(glm::vec3), mesh.positions.data());
     const GlBuffer indices(mesh.triangles.size() * sizeof(Corners), mesh.triangles.data());
-    const GlVertexArray array = vertexArray(positions);
+    const GlVertexArray array = vertexArray(positions.id());
     glVertexArrayElementBuffer(array.id(), indices.id());
     programs_.use(transformSource());
     setVector(0, frame_.eye);
@@ -54,7 +60,7 @@ void TriangleBuffer::transform(const Mesh& mesh, const Camera& camera, ViewMode 
     setVector(4, frame_.forward);
     glBindFramebuffer(GL_FRAMEBUFFER, nothing_.id());
     glBindVertexArray(array.id());
-    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, corners_.id());
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, corners_.buffer());
     glEnable(GL_RASTERIZER_DISCARD);
     glBeginTransformFeedback(GL_TRIANGLES);
     glDrawElements(GL_TRIANGLES, (GLsizei) mesh.triangles.size() * 3, GL_UNSIGNED_INT, nullptr);
@@ -70,12 +76,13 @@ void TriangleBuffer::transform(const Mesh& mesh, const Camera& camera, ViewMode 
         glDispatchCompute(groups(count * kFloats, 256), 1, 1);
     });
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
-                    GL_SHADER_STORAGE_BARRIER_BIT);
+                    GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void TriangleBuffer::write(const FrameGeometry& geometry) {
     frame_ = geometry.frame;
-    corners_ = GlBuffer(geometry.triangles.size() * sizeof(Triangle), geometry.triangles.data());
+    corners_ = {};
+    corners_ = cornerBuffer(geometry.triangles.size(), geometry.triangles.data());
 }
 
 FrameGeometry TriangleBuffer::read() const {
@@ -86,7 +93,7 @@ FrameGeometry TriangleBuffer::read() const {
 
 void TriangleBuffer::draw() const {
     if (count() == 0) return;
-    const GlVertexArray array = vertexArray(corners_);
+    const GlVertexArray array = vertexArray(corners_.buffer());
     glBindVertexArray(array.id());
     glDrawArrays(GL_TRIANGLES, 0, (GLsizei) count() * 3);
 }
@@ -96,7 +103,7 @@ template <class Dispatch>
 void TriangleBuffer::forEachPiece(const Dispatch& dispatch) const {
     for (uint32_t first = 0; first < count(); first += kTrianglesPerPiece) {
         const uint32_t pieceCount = std::min(kTrianglesPerPiece, count() - first);
-        glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, corners_.id(),
+        glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, corners_.buffer(),
                           (GLintptr) first * (GLintptr) sizeof(Triangle),
                           (GLsizeiptr) pieceCount * (GLsizeiptr) sizeof(Triangle));
         dispatch(first, pieceCount);

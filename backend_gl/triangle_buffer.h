@@ -1,6 +1,7 @@
 #pragma once
 
 #include "backend_gl/programs.h"
+#include "backend_gl/texel_buffer.h"
 #include "core/grid/geometry.h"
 
 #include <cstdint>
@@ -25,8 +26,9 @@ public:
     /// The ids of the triangles that hold the eye, in increasing order.
     std::vector<uint32_t> findAtEye();
 
-    /// For GL_RGB32F buffer textures: three texels a triangle.
-    GLuint buffer() const { return corners_.id(); }
+    /// A buffer texture: three texels a triangle.
+    GLuint texture() const { return corners_.texture(); }
+    const GridFrame& frame() const { return frame_; }
 
     uint64_t bytes() const { return corners_.bytes(); }
     uint32_t count() const { return (uint32_t) (corners_.bytes() / sizeof(Triangle)); }
@@ -38,7 +40,7 @@ private:
 
     Programs& programs_;
     GridFrame frame_;
-    GlBuffer corners_;
+    TexelBuffer corners_;
     GlFramebuffer nothing_; ///< without a display, even drawing nothing needs somewhere to draw
 };
 

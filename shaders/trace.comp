@@ -4,19 +4,15 @@
 // driver may stop a shader that runs for long, and llvmpipe (Mesa 22.3) silently leaves all loops
 // once a shader has gone round 65535 times in all. So a ray keeps its state between dispatches.
 
+#include "include/triangles.glsl"
+#include "include/view_cone.glsl"
 #include "include/view_walk.glsl"
 #include "include/bins.glsl"
 #include "include/nodes.glsl"
+#include "include/ray_record.glsl"
 #include "shared/layouts.h"
 
 layout(local_size_x = 64) in;
-
-struct RayRecord {
-    vec3 origin;
-    uint skip;
-    vec3 direction;
-    float maxT; // any hit: only those before it
-};
 
 /// Where a ray's search stands.
 struct State {
@@ -31,7 +27,11 @@ struct State {
 };
 
 layout(std430, binding = DIRT_SEGMENTS) readonly buffer Rays {
+#if DIRT_PATHS
+    PathRay rays[];
+#else
     RayRecord rays[];
+#endif
 };
 layout(std430, binding = DIRT_SEGMENTS + 1) buffer Hits {
     Hit hits[];
@@ -39,11 +39,15 @@ layout(std430, binding = DIRT_SEGMENTS + 1) buffer Hits {
 layout(std430, binding = DIRT_SEGMENTS + 2) buffer States {
     uint unfinished; // rays that need another dispatch,
     uint cut;        // of these, those whose loops were cut short: they stay as they were
+    uint traced;     // rays that have a direction
+    uint found;      // of these, those that have hit something
     State states[];
 };
-layout(binding = 3) uniform samplerBuffer triangles; // three corners each
 layout(binding = 4) uniform usampler2DArray headTexture;
 layout(binding = 5) uniform usamplerBuffer atEye;
+#if DIRT_PATHS
+layout(binding = 6) uniform usamplerBuffer mask; // of all pixels
+#endif
 
 layout(location = 0) uniform uint count;
 layout(location = 1) uniform int topLevel;
@@ -51,15 +55,11 @@ layout(location = 2) uniform bool single; // rays end at the border of the only 
 layout(location = 3) uniform int atEyeCount;
 layout(location = 4) uniform uint turns; // of one dispatch
 layout(location = 5) uniform uint probe; // any number above 1
+layout(location = 6) uniform bool masked; // paths: only those that the mask leaves alive
+layout(location = 7) uniform uint firstPixel; // paths: that of the first ray
 
 // What a turn does; a ray begins with the first.
 const int kBegin = 0, kEye = 1, kNextView = 2, kStep = 3, kOffer = 4, kList = 5, kDone = 6;
-
-Triangle triangleOf(uint id) {
-    int at = int(id) * 3;
-    return Triangle(texelFetch(triangles, at).xyz, texelFetch(triangles, at + 1).xyz,
-                    texelFetch(triangles, at + 2).xyz);
-}
 
 /// What is known of the ray so far.
 struct Search {
@@ -281,17 +281,14 @@ bool isTraceable(Ray ray) {
            ray.direction != vec3(0.0);
 }
 
-/// ViewCone::part.
-void limitToView(inout Search search) {
-    ViewSpan span;
-    search.seenBegin = 0.0;
-    search.seenEnd = -1.0;
-    if (!clipToView(makeViewRay(0, search.ray), span)) return;
-    const double inwards = double(2.0 * kRelativeErrorT);
-    precise double begin = span.begin * (1.0LF + inwards);
-    precise double end = span.end * (1.0LF - inwards);
-    search.seenBegin = roundUp(begin);
-    search.seenEnd = roundDown(end);
+RayRecord rayOf(uint index) {
+#if DIRT_PATHS
+    PathRay ray = rays[index];
+    bool alive = !masked || texelFetch(mask, int(firstPixel + index)).x != 0u;
+    return RayRecord(ray.origin, ray.skip, alive ? ray.direction : vec3(0.0), 0.0);
+#else
+    return rays[index];
+#endif
 }
 
 Search makeSearch(RayRecord given) {
@@ -307,7 +304,11 @@ Search makeSearch(RayRecord given) {
     search.located = false;
     search.seenBegin = 0.0;
     search.seenEnd = kLargest;
-    if (single) limitToView(search);
+    if (single) {
+        vec2 part = partInView(search.ray);
+        search.seenBegin = part.x;
+        search.seenEnd = part.y;
+    }
 #if DIRT_ANY_HIT
     search.limit = upperBound(given.maxT);
 #else
@@ -363,9 +364,10 @@ Walker resumed(State state, inout Search search, Hit best) {
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= count) return;
-    Search search = makeSearch(rays[index]);
     State state = states[index];
     if (state.phase == kDone) return;
+    RayRecord given = rayOf(index);
+    Search search = makeSearch(given);
     Walker w;
     if (state.phase == kBegin)
         w = firstTurn(search);
@@ -378,6 +380,8 @@ void main() {
     if (rounds != probe) atomicAdd(cut, 1u);
     if (rounds != probe || w.phase != kDone) atomicAdd(unfinished, 1u);
     if (rounds != probe) return;
+    if (state.phase == kBegin && given.direction != vec3(0.0)) atomicAdd(traced, 1u);
+    if (w.phase == kDone && search.best.primitive != kNoPrimitive) atomicAdd(found, 1u);
     hits[index] = search.best;
     states[index] = State(w.phase, w.pendingViews, w.walk.view, w.level, w.offer, w.at,
                           w.walk.tile, unpackDouble2x32(w.walk.begin),

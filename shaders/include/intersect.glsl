@@ -3,14 +3,11 @@
 
 #include "include/arithmetic.glsl"
 #include "include/determinants.glsl"
+#include "include/triangles.glsl"
 
 struct Ray {
     vec3 origin, direction;
     uint skip;
-};
-
-struct Triangle {
-    vec3 a, b, c;
 };
 
 struct TriangleHit {
@@ -37,6 +34,10 @@ double maxNorm(dvec3 v) {
 double oneNorm(dvec3 v) {
     precise double sum = abs(v.x) + abs(v.y) + abs(v.z);
     return sum;
+}
+
+int signOf(double x) {
+    return int(x > 0.0LF) - int(x < 0.0LF);
 }
 
 double powerOfTwo(int exponent) {

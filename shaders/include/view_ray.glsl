@@ -12,10 +12,6 @@ double infinity() {
     return packDouble2x32(uvec2(0u, 0x7ff00000u));
 }
 
-int signOf(double x) {
-    return int(x > 0.0LF) - int(x < 0.0LF);
-}
-
 /// The slope of a border: axis 0 for columns, 1 for rows.
 double slopeOf(int axis, int border) {
     return double(texelFetch(slopes, axis == 0 ? border : grid.columns + 1 + border).x);

@@ -12,13 +12,43 @@
 namespace dirt::test {
 namespace {
 
+/// What a scene may have of normals, textures and emission; texels in one piece or two.
+std::vector<SurfaceVariant> surfaceVariants() {
+    std::vector<SurfaceVariant> variants;
+    for (int has = 0; has < 8; ++has) {
+        SurfaceVariant variant{(has & 1) != 0, (has & 2) != 0, (has & 4) != 0, 1, 27};
+        variants.push_back(variant);
+        variant.texelPieces = 2;
+        if (variant.textures) variants.push_back(variant);
+    }
+    return variants;
+}
+
+void addPathPasses(std::vector<ProgramSource>& all) {
+    all.insert(all.end(), {depthMaskSource(), groupHitsSource(), visibilitySource(),
+                           resolveSource(), directVisibilitySource()});
+    for (int has = 0; has < 4; ++has)
+        all.push_back(clearPathsSource((has & 1) != 0, (has & 2) != 0));
+    for (bool scatters : {false, true}) all.push_back(raysSource(scatters));
+    for (ViewMode mode : {ViewMode::full, ViewMode::single}) all.push_back(shadowRaysSource(mode));
+    for (int has = 0; has < 16; ++has)
+        all.push_back(shadeSource((has & 1) != 0, (has & 2) != 0, (has & 4) != 0, (has & 8) != 0));
+    for (const SurfaceVariant& surfaces : surfaceVariants()) {
+        all.insert(all.end(), {firstPointsSource(surfaces), fetchAtEyeSource(surfaces)});
+        for (bool raster : {false, true}) all.push_back(fetchSource(surfaces, raster));
+        for (ViewMode mode : {ViewMode::full, ViewMode::single})
+            all.push_back(rasterFetchSource(mode, surfaces));
+    }
+}
+
 std::vector<ProgramSource> allPrograms() {
     std::vector<ProgramSource> all = {transformSource(),       largestCoordinateSource(),
                                       scaleTrianglesSource(),  trianglesAtEyeSource(),
                                       fillDepthMipmapSource(), selfTestRasterSource(),
                                       selfTestComputeSource()};
-    for (bool anyHit : {false, true})
-        for (int segments : {1, kMostSegments}) all.push_back(traceSource(anyHit, segments, 24));
+    for (Search search : {Search::nearest, Search::any, Search::paths})
+        for (int segments : {1, kMostSegments}) all.push_back(traceSource(search, segments, 24));
+    addPathPasses(all);
     for (ViewMode mode : {ViewMode::full, ViewMode::single})
         for (Proposal proposal : {Proposal::rectangles, Proposal::triangles}) {
             all.push_back(fillDepthSource(mode, proposal));

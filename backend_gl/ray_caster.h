@@ -1,0 +1,60 @@
+#pragma once
+
+#include "backend_gl/grid_views.h"
+#include "backend_gl/id_buffer.h"
+#include "backend_gl/path_buffers.h"
+#include "core/frame/settings.h"
+
+namespace dirt {
+
+/// What the search for hits goes through.
+struct TracedStructure {
+    const GridViews& views;
+    const TriangleBuffer& triangles;
+    const DepthBoundsTexture& bounds;
+    const IdBuffer& ids;
+    const GridSettings& settings;
+};
+
+/// A ray of the search that is no path's, as include/ray_record.glsl has it.
+struct RayRecord {
+    glm::vec3 origin;
+    uint32_t skip;
+    glm::vec3 direction;
+    float maxT; ///< any hit: only those before it
+};
+static_assert(sizeof(RayRecord) == 32);
+
+/// Rays that were cast.
+struct CastCounts {
+    uint64_t rays = 0; ///< with a direction
+    uint64_t hits = 0;
+};
+
+/// Casts rays that lie on the device: trace.comp, in as many dispatches as the rays need.
+class RayCaster {
+public:
+    /// Rays of one cast, at most: their states are kept between dispatches.
+    static constexpr uint32_t kMostRays = 1u << 18;
+
+    explicit RayCaster(Programs& programs) : programs_(programs) {}
+
+    /// Nearest hits, or any hits before each ray's maxT, of \p count RayRecords.
+    CastCounts cast(const TracedStructure& structure, Search search, const BufferRange& rays,
+                    const BufferRange& hits, uint32_t count);
+
+    /// Nearest hits of the paths' rays; only of those that the mask leaves alive if \p masked.
+    CastCounts castPaths(const TracedStructure& structure, const GlPathBuffers& paths, bool masked);
+
+    uint64_t stateBytes() const { return states_.bytes(); }
+
+private:
+    void begin(const TracedStructure& structure, Search search);
+    CastCounts run(const BufferRange& rays, const BufferRange& hits, uint32_t count, GLuint block);
+
+    Programs& programs_;
+    uint32_t turns_ = 1 << 10; ///< of a ray in one dispatch; fewer where the driver cuts loops
+    GlBuffer states_;
+};
+
+} // namespace dirt

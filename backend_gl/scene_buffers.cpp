@@ -1,0 +1,142 @@
+#include "backend_gl/scene_buffers.h"
+
+#include "core/io/error.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string>
+
+namespace dirt {
+namespace {
+
+constexpr int kMostTexelPieces = 2; // of include/textures.glsl
+
+template <typename T>
+TexelBuffer texelBuffer(GLenum format, size_t texelBytes, const std::vector<T>& values,
+                        const char* what) {
+    return TexelBuffer(format, texelBytes, values.size() * sizeof(T), values.data(), what);
+}
+
+using Words = std::array<uint32_t, 4>; // a texel of GL_RGBA32UI
+
+Words wordsOf(glm::vec3 v, uint32_t last) {
+    return {std::bit_cast<uint32_t>(v.x), std::bit_cast<uint32_t>(v.y),
+            std::bit_cast<uint32_t>(v.z), last};
+}
+
+/// A texture's texels as include/textures.glsl reads them.
+std::vector<uint32_t> wordsOf(const Texture& texture) {
+    std::vector<uint32_t> words;
+    const std::span<const uint8_t> bytes = texture.encodedTexels();
+    words.reserve(bytes.size() / 3 + texture.linearTexels().size());
+    for (size_t i = 0; i < bytes.size(); i += 3)
+        words.push_back((uint32_t) bytes[i] | (uint32_t) bytes[i + 1] << 8 |
+                        (uint32_t) bytes[i + 2] << 16);
+    for (float value : texture.linearTexels()) words.push_back(std::bit_cast<uint32_t>(value));
+    return words;
+}
+
+uint64_t wordCount(const Texture& texture) {
+    return texture.encodedTexels().size() / 3 + texture.linearTexels().size();
+}
+
+} // namespace
+
+void SceneBuffers::upload(const Scene& scene, const Requirements& need) {
+    *this = {}; // before the next ones are allocated
+    variant_.normals = need.shadingNormals;
+    variant_.textures = need.diffuseTextures;
+    variant_.emission = need.emission;
+    uploadMaterials(scene);
+    const Mesh& mesh = scene.mesh;
+    if (need.shadingNormals) {
+        normalIndices_ = texelBuffer(GL_RGB32UI, sizeof(Corners), mesh.normalIndices, "triangles");
+        normals_ = texelBuffer(GL_RGB32F, sizeof(glm::vec3), mesh.normals, "normals");
+    }
+    if (need.diffuseTextures) {
+        texcoordIndices_ =
+            texelBuffer(GL_RGB32UI, sizeof(Corners), mesh.texcoordIndices, "triangles");
+        texcoords_ =
+            texelBuffer(GL_RG32F, sizeof(glm::vec2), mesh.texcoords, "texture coordinates");
+        uploadTextures(scene.textures);
+    }
+}
+
+void SceneBuffers::uploadMaterials(const Scene& scene) {
+    std::vector<Words> words;
+    for (const Material& material : scene.materials) {
+        words.push_back(wordsOf(material.diffuse, material.diffuseMap));
+        words.push_back(wordsOf(material.emission, 0));
+    }
+    materials_ = texelBuffer(GL_RGBA32UI, sizeof(Words), words, "materials");
+    materialOf_ = texelBuffer(GL_R32UI, sizeof(uint32_t), scene.mesh.materials, "triangles");
+}
+
+void SceneBuffers::uploadTextures(const std::vector<Texture>& textures) {
+    std::vector<Words> table;
+    uint64_t total = 0;
+    for (const Texture& texture : textures) {
+        table.push_back({(uint32_t) total, (uint32_t) texture.width(), (uint32_t) texture.height(),
+                         texture.linearTexels().empty() ? 0u : 1u});
+        total += wordCount(texture);
+    }
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    variant_.texelPieceBits = std::min((int) std::bit_width((uint32_t) most) - 1, 31);
+    const uint64_t piece = 1ull << variant_.texelPieceBits;
+    if (total > kMostTexelPieces * piece)
+        throw InputError("--backend gl: the textures take " + std::to_string(total) +
+                         " words, and this OpenGL driver's buffer textures hold " +
+                         std::to_string(kMostTexelPieces * piece) + "; smaller ones would fit");
+
+    // One sequence of words, cut where a piece ends.
+    std::vector<GlBuffer> pieces;
+    for (uint64_t first = 0; first < std::max<uint64_t>(total, 1); first += piece)
+        pieces.emplace_back(std::min(piece, total - first) * sizeof(uint32_t));
+    for (size_t i = 0; i < textures.size(); ++i) {
+        const std::vector<uint32_t> words = wordsOf(textures[i]);
+        for (uint64_t done = 0; done < words.size();) {
+            const uint64_t at = table[i][0] + done, inPiece = at % piece;
+            const uint64_t count = std::min(words.size() - done, piece - inPiece);
+            pieces[at / piece].write(inPiece * sizeof(uint32_t), count * sizeof(uint32_t),
+                                     words.data() + done);
+            done += count;
+        }
+    }
+    variant_.texelPieces = (int) pieces.size();
+    for (GlBuffer& words : pieces) texels_.emplace_back(GL_R32UI, std::move(words));
+    textureTable_ = texelBuffer(GL_RGBA32UI, sizeof(Words), table, "textures");
+    const auto& decoded = Texture::decodedBytes();
+    decodedBytes_ =
+        TexelBuffer(GL_R32F, sizeof(float), sizeof decoded, decoded.data(), "decoded bytes");
+}
+
+void SceneBuffers::bind() const {
+    const GLuint textures[] = {materialOf_.texture(),
+                               materials_.texture(),
+                               normalIndices_.texture(),
+                               normals_.texture(),
+                               texcoordIndices_.texture(),
+                               texcoords_.texture(),
+                               textureTable_.texture(),
+                               decodedBytes_.texture(),
+                               texels_.size() > 0 ? texels_[0].texture() : 0,
+                               texels_.size() > 1 ? texels_[1].texture() : 0};
+    glBindTextures(6, 10, textures);
+}
+
+std::vector<BufferSize> SceneBuffers::sizes() const {
+    std::vector<BufferSize> sizes = {{"materials", materialOf_.bytes() + materials_.bytes()}};
+    const auto add = [&sizes](const char* name, uint64_t bytes) {
+        if (bytes > 0) sizes.emplace_back(name, bytes);
+    };
+    add("normals", normalIndices_.bytes() + normals_.bytes());
+    add("texture coordinates", texcoordIndices_.bytes() + texcoords_.bytes());
+    uint64_t texels = textureTable_.bytes() + decodedBytes_.bytes();
+    for (const TexelBuffer& piece : texels_) texels += piece.bytes();
+    add("textures", texels);
+    return sizes;
+}
+
+} // namespace dirt

@@ -1,0 +1,17 @@
+#version 450 core
+// DepthMask: the pixels whose path goes on to the event: those that have reached a surface, G[k],
+// that is not black.
+
+#include "include/paths.glsl"
+#include "include/frame.glsl"
+#include "shared/reflection.h"
+
+layout(local_size_x = 64) in;
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= pixelCount) return;
+    bool alive = (frame.event == 1 || isAlive(frame.event, i)) &&
+                 current[i].primitive != kNoPrimitive && !black(current[i].diffuse);
+    imageStore(mask, int(firstPixel + i), uvec4(alive ? 1u : 0u));
+}

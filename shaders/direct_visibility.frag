@@ -1,0 +1,19 @@
+#version 450 core
+// DirectVisibility: the depth test is that of the rays' parameters, as the search computes them;
+// at equal depth the triangle that is drawn first, which has the lowest id.
+
+#include "include/frame.glsl"
+#include "shared/layouts.h"
+#include "include/triangles.glsl"
+#include "include/seen_point.glsl"
+
+layout(location = 0) out uint seenPrimitive;
+
+void main() {
+    uint id = uint(gl_PrimitiveID);
+    TriangleHit hit;
+    if (!seenPoint(primaryRay(directionThrough(uvec2(gl_FragCoord.xy))), triangleOf(id), hit))
+        discard;
+    seenPrimitive = id;
+    gl_FragDepth = hit.t * 0.125; // exact, and below 1: no coordinate is 2 or more
+}

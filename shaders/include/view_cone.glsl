@@ -1,0 +1,13 @@
+// core/trace/view_cone.h in GLSL: where a ray in single mode ends.
+
+#include "include/view_ray.glsl"
+
+/// Nothing is hit before the first or after the second parameter.
+vec2 partInView(Ray ray) {
+    ViewSpan span;
+    if (!clipToView(makeViewRay(0, ray), span)) return vec2(0.0, -1.0);
+    const double inwards = double(2.0 * kRelativeErrorT);
+    precise double begin = span.begin * (1.0LF + inwards);
+    precise double end = span.end * (1.0LF - inwards);
+    return vec2(roundUp(begin), roundDown(end));
+}

@@ -1,0 +1,42 @@
+#version 450 core
+// Shade: adds what G[k+1] emits and reflects of the light, or the background, to the pixel's
+// radiance. The scene's requirements leave out what it has none of.
+
+#include "include/paths.glsl"
+#include "include/frame.glsl"
+#include "shared/reflection.h"
+
+layout(local_size_x = 64) in;
+
+void add(uint i, vec3 radianceOfPixel) {
+    for (uint c = 0u; c < 3u; ++c) {
+        precise float sum = radiance[3u * i + c] + radianceOfPixel[c];
+        radiance[3u * i + c] = sum;
+    }
+}
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= pixelCount) return;
+    vec3 throughput = vec3(1.0);
+#if DIRT_SECONDARY
+    if (!isAlive(frame.event, i)) return;
+    throughput = rays[i].throughput;
+#endif
+    bool found = next[i].primitive != kNoPrimitive;
+#if DIRT_EMISSION
+    precise vec3 emitted = throughput * next[i].emission;
+    if (found) add(i, emitted);
+#endif
+#if DIRT_BACKGROUND
+    precise vec3 seen = throughput * frame.background;
+    if (!found) add(i, seen);
+#endif
+#if DIRT_LIGHT
+    if (imageLoad(visibility, int(firstPixel + i)).x == 0u) return;
+    SurfacePoint point = next[i];
+    vec3 reflected = reflectedRadiance(point, sampleSpotlight(frame.light, point.position));
+    precise vec3 arriving = throughput * reflected;
+    add(i, arriving);
+#endif
+}
