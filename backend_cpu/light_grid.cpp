@@ -5,7 +5,6 @@
 #include "core/trace/ray.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cfloat>
 #include <cmath>
 
@@ -15,11 +14,10 @@ namespace dirt {
 namespace {
 
 constexpr size_t kTrianglesPerPiece = 2048;
-constexpr size_t kTilesPerPiece = 1024;
 
 /// Tiles in the light's cone for each triangle of the scene: fewer make lists long, more cost time
 /// to fill.
-constexpr double kTilesPerTriangle = 0.5;
+constexpr double kTilesPerTriangle = 0.25;
 constexpr int kLeastTiles = 16, kMostTiles = 4096;
 
 /// More triangles than this beside the light, which every ray tests, are no gain.
@@ -89,17 +87,11 @@ LightRecord makeRecord(const LightTriangle& t, uint32_t id, const LightGrid& gri
     return record;
 }
 
-struct LightFragment {
-    uint32_t tile, record;
-    float near;
-};
-
 /// What one piece of the triangles gives.
 struct Piece {
     std::vector<LightRecord> records;
-    std::vector<LightFragment> fragments; ///< records counted from the piece's first
+    std::vector<DepthFragment> fragments; ///< records counted from the piece's first
     std::vector<uint32_t> close;
-    uint32_t firstRecord = 0;
 };
 
 /// Which of the faces a triangle may touch. Most lie in one, well inside.
@@ -143,41 +135,18 @@ void scan(const FrameGeometry& geometry, const LightGrid& grid, size_t begin, si
     }
 }
 
-/// From the pieces' fragments to lists in the order of depth.
-void sortIntoTiles(std::vector<Piece>& pieces, uint32_t tiles, Executor& executor,
-                   LightGrid& grid) {
-    grid.heads.assign(tiles + 1, 0);
-    executor.forRange(pieces.size(), 1, [&](size_t i, size_t) {
-        for (const LightFragment& fragment : pieces[i].fragments)
-            std::atomic_ref<uint32_t>(grid.heads[fragment.tile])
-                .fetch_add(1, std::memory_order_relaxed);
-    });
-    uint32_t entries = 0;
-    for (uint32_t& head : grid.heads) head = entries += head;
+void join(const std::vector<Piece>& pieces, uint32_t tiles, Executor& executor, LightGrid& grid) {
+    std::vector<FragmentPiece> fragments;
     uint32_t records = 0;
-    for (Piece& piece : pieces) {
-        piece.firstRecord = records;
+    for (const Piece& piece : pieces) {
+        fragments.push_back({piece.fragments, records});
         records += (uint32_t) piece.records.size();
     }
-    grid.entries.resize(entries);
+    grid.lists = sortIntoTiles(fragments, tiles, executor);
     grid.records.resize(records);
     executor.forRange(pieces.size(), 1, [&](size_t i, size_t) {
-        const Piece& piece = pieces[i];
-        std::copy(piece.records.begin(), piece.records.end(),
-                  grid.records.begin() + piece.firstRecord);
-        for (const LightFragment& fragment : piece.fragments) {
-            const uint32_t place = std::atomic_ref<uint32_t>(grid.heads[fragment.tile])
-                                       .fetch_sub(1, std::memory_order_relaxed);
-            grid.entries[place - 1] = {fragment.near, piece.firstRecord + fragment.record};
-        }
-    });
-    executor.forRange(tiles, kTilesPerPiece, [&](size_t begin, size_t end) {
-        for (size_t tile = begin; tile < end; ++tile)
-            std::sort(grid.entries.begin() + grid.heads[tile],
-                      grid.entries.begin() + grid.heads[tile + 1],
-                      [](const LightEntry& a, const LightEntry& b) {
-                          return a.near < b.near || (a.near == b.near && a.record < b.record);
-                      });
+        std::copy(pieces[i].records.begin(), pieces[i].records.end(),
+                  grid.records.begin() + fragments[i].firstItem);
     });
 }
 
@@ -200,8 +169,7 @@ LightTriangle::LightTriangle(const Triangle& t, const glm::vec3& light) {
 }
 
 uint64_t LightGrid::bytes() const {
-    return heads.size() * sizeof(uint32_t) + entries.size() * sizeof(LightEntry) +
-           records.size() * sizeof(LightRecord);
+    return lists.bytes() + records.size() * sizeof(LightRecord);
 }
 
 void fillLightGrid(const FrameGeometry& geometry, const Spotlight& light, Executor& executor,
@@ -228,7 +196,7 @@ void fillLightGrid(const FrameGeometry& geometry, const Spotlight& light, Execut
     if (grid.close.size() > kMostClose)
         grid = {};
     else
-        sortIntoTiles(pieces, tiles, executor, grid);
+        join(pieces, tiles, executor, grid);
 }
 
 } // namespace dirt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "backend_cpu/depth_lists.h"
 #include "core/frame/executor.h"
 #include "core/grid/geometry.h"
 #include "core/scene/light.h"
@@ -24,12 +25,6 @@ struct alignas(64) LightRecord {
 };
 static_assert(sizeof(LightRecord) == 64);
 
-/// An entry of a tile's list: a triangle, and a depth before which none of it lies in the tile.
-struct LightEntry {
-    float near;
-    uint32_t record;
-};
-
 /// A face of the cube around the light, and the tiles on it that the light's cone may reach.
 struct LightFace {
     int axisX, axisY, axisW; ///< components of the grid frame
@@ -49,8 +44,7 @@ struct LightGrid {
     float nearest = 0.0f; ///< and least: nothing listed is nearer to the light
     std::array<LightFace, 6> faces;
 
-    std::vector<uint32_t> heads; ///< tiles + 1
-    std::vector<LightEntry> entries;
+    DepthLists lists; ///< of records
     std::vector<LightRecord> records;
     std::vector<uint32_t> close; ///< triangles that may be nearer than that: any ray may meet them
 

@@ -247,11 +247,10 @@ bool OccludedFromLight(const LeafTracer& tracer, const LightRay& seen, const Ray
     ++counts.lookups;
     const auto& triangles = tracer.geometry.triangles;
     for (const uint32_t id : grid.close) query.test(id, triangles[id], counts);
-    const LightEntry* entry = grid.entries.data() + grid.heads[seen.tile];
-    const LightEntry* const end = grid.entries.data() + grid.heads[seen.tile + 1];
-    for (; entry != end && entry->near <= seen.depth && !query.found; ++entry) {
+    for (const DepthEntry& entry : grid.lists.list(seen.tile)) {
+        if (!(entry.near <= seen.depth) || query.found) break;
         ++counts.listed;
-        const LightRecord& record = grid.records[entry->record];
+        const LightRecord& record = grid.records[entry.item];
         switch (testRecord(record, seen)) {
         case LightTest::misses:
             break;

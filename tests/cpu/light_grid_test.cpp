@@ -261,12 +261,12 @@ TEST(LightGrid, IsTheSameForAnyNumberOfThreads) {
     for (const unsigned threads : {2u, 7u}) {
         ThreadPool pool(threads);
         fillLightGrid(geometry, light, pool, parallel);
-        EXPECT_EQ(serial.heads, parallel.heads);
-        ASSERT_EQ(serial.entries.size(), parallel.entries.size());
-        for (size_t i = 0; i < serial.entries.size(); ++i) {
-            const LightEntry &a = serial.entries[i], &b = parallel.entries[i];
+        EXPECT_EQ(serial.lists.heads, parallel.lists.heads);
+        ASSERT_EQ(serial.lists.entries.size(), parallel.lists.entries.size());
+        for (size_t i = 0; i < serial.lists.entries.size(); ++i) {
+            const DepthEntry &a = serial.lists.entries[i], &b = parallel.lists.entries[i];
             ASSERT_EQ(a.near, b.near);
-            ASSERT_EQ(serial.records[a.record].id, parallel.records[b.record].id);
+            ASSERT_EQ(serial.records[a.item].id, parallel.records[b.item].id);
         }
     }
 }
