@@ -1,14 +1,11 @@
 #include "backend_cpu/direct_visibility.h"
 
-#include "backend_cpu/image_footprint.h"
+#include "backend_cpu/eye_tile.h"
 #include "core/grid/denormals.h"
 #include "core/path/surface.h"
 #include "core/trace/intersect.h"
 
 #include <algorithm>
-#include <atomic>
-#include <bit>
-#include <cfloat>
 #include <cmath>
 #include <vector>
 
@@ -17,142 +14,178 @@
 namespace dirt {
 namespace {
 
-constexpr size_t kTrianglesPerPiece = 1024;
-constexpr size_t kPixelsPerPiece = 4096;
+constexpr size_t kTrianglesPerPiece = 2048;
 
-/// What a pixel sees: the bits of t, which for t >= 0 are in the order of t, above the id. The
-/// least key is the nearest hit, at equal t that of the lowest id.
-using Key = uint64_t;
-constexpr Key kNothing = ~0ull;
-
-Key makeKey(float t, uint32_t id) {
-    return (Key) std::bit_cast<uint32_t>(t) << 32 | id;
-}
-float distanceOf(Key key) {
-    return std::bit_cast<float>((uint32_t) (key >> 32));
-}
-
-void includeAtomically(Key& shared, Key key) {
-    std::atomic_ref<Key> nearest(shared);
-    Key current = nearest.load(std::memory_order_relaxed);
-    while (key < current &&
-           !nearest.compare_exchange_weak(current, key, std::memory_order_relaxed)) {
-    }
-}
-
-/// A triangle seen from the eye, for rays that start there: a filter before the exact decision.
-///
-/// Each component of a cross product of floats in double has one rounding; three products with the
-/// direction and two sums make the error of an edge's weight less than
-/// 4 * 2^-53 sum |d_i n_i| <= 2^-51 |d|_max |n|_1, here with twice that.
-class EyeTriangle {
+/// The camera rays of one sample.
+class SampleRays {
 public:
-    /// \p reach bounds the |components| of the rays' directions.
-    EyeTriangle(const Triangle& triangle, double reach) {
-        const glm::dvec3 a(triangle.a), b(triangle.b), c(triangle.c);
-        edges_[0] = glm::cross(b, c);
-        edges_[1] = glm::cross(c, a);
-        edges_[2] = glm::cross(a, b);
-        for (int i = 0; i < 3; ++i) {
-            const glm::dvec3 n = glm::abs(edges_[i]);
-            bounds_[i] = 0x1p-50 * reach * (n.x + n.y + n.z);
-        }
-        const glm::dvec3 terms = a * edges_[0];
-        volume_ = std::abs(terms.x + terms.y + terms.z) -
-                  0x1p-50 * (std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z));
+    SampleRays(const FrameContext& frame, uint32_t sample)
+        : camera_(frame.camera), offset_(subPixelOffset(sample, frame.settings.seed)) {}
+
+    glm::vec2 offset() const { return offset_; }
+    glm::vec3 direction(int x, int y) const {
+        const glm::vec3 d = camera_.through((float) x + offset_.x, (float) y + offset_.y).direction;
+        return {flushed(d.x), flushed(d.y), flushed(d.z)};
     }
 
-    /// True only if the exact ray misses the closed triangle, or meets it at a t that is computed
-    /// as more than \p limit.
-    bool certainlyBeyond(const glm::dvec3& direction, float limit) const {
-        bool positive = false, negative = false;
-        double sum = 0.0, error = 0.0;
-        for (int i = 0; i < 3; ++i) {
-            const double weight = glm::dot(edges_[i], direction);
-            positive |= weight > bounds_[i];
-            negative |= weight < -bounds_[i];
-            sum += weight;
-            error += bounds_[i];
+    /// Directions are R x + D y + F, x and y slopes of at most S. Each slope is off by 3 u S, each
+    /// component by less than 16 u (1 + 2 S), u = 2^-24; of an edge's value between four pixels
+    /// this takes twice that, 2^-19 (1 + 2 S).
+    EyeRays bounds(int width, int height) const {
+        const ImagePlane& plane = camera_.plane();
+        EyeRays rays{};
+        rays.forward = glm::dvec3(plane.forward);
+        for (int corner = 0; corner < 4; ++corner) {
+            const glm::vec3 d = direction(corner & 1 ? width : 0, corner & 2 ? height : 0);
+            for (int i = 0; i < 3; ++i) rays.reach = std::max(rays.reach, std::abs(d[i]));
+            rays.most = std::max(rays.most, glm::dot(glm::dvec3(d), rays.forward));
         }
-        if (positive && negative) return true;
-        // t = volume / sum of weights; the computed t is off by less than 2^-22 of it, and the sum
-        // of three weights by less than twice their bounds.
-        // Below FLT_MIN it is computed as zero.
-        const double beyond = std::max((double) limit, (double) FLT_MIN) * (1.0 + 0x1p-22);
-        return volume_ > beyond * (std::abs(sum) + 2.0 * error);
+        const float slope = std::max(std::abs(plane.slopeX), std::abs(plane.slopeY));
+        const float noise = 0x1p-18f * (1.0f + 2.0f * slope);
+        rays.reach += noise;
+        rays.most += 3.0 * noise;
+        rays.margin = 6.0f * 0x1p-24f * rays.reach;
+        rays.spread = noise + rays.margin;
+        return rays;
     }
 
 private:
-    glm::dvec3 edges_[3]; ///< normals of the planes through the eye and an edge
-    double bounds_[3];
-    double volume_; ///< |a . (b x c)|, from below
+    const CameraRays& camera_;
+    glm::vec2 offset_;
 };
 
-Ray rayThrough(const FrameContext& frame, int x, int y, glm::vec2 offset) {
-    Ray ray = frame.camera.through((float) x + offset.x, (float) y + offset.y);
-    for (int i = 0; i < 3; ++i) ray.direction[i] = flushed(ray.direction[i]);
-    return ray;
-}
-
-/// Bound of the |components| of all directions: they are affine in the pixel.
-double reachOf(const FrameContext& frame) {
-    const int width = frame.settings.grid.width, height = frame.settings.grid.height;
-    double reach = 0.0;
-    for (int corner = 0; corner < 4; ++corner) {
-        const Ray ray = frame.camera.through((float) (corner & 1 ? width : 0),
-                                             (float) (corner & 2 ? height : 0));
-        for (int i = 0; i < 3; ++i) reach = std::max(reach, (double) std::abs(ray.direction[i]));
-    }
-    return reach * (1.0 + 0x1p-20);
-}
-
-/// The nearest hit of every pixel.
-std::vector<Key> findNearest(const FrameContext& frame, Executor& executor, glm::vec2 offset) {
-    const GridSettings& grid = frame.settings.grid;
-    const ImageFootprint footprint(frame.scene.camera, grid.width, grid.height, grid.mode, offset);
-    const double reach = reachOf(frame);
-    std::vector<Key> keys((size_t) grid.width * grid.height, kNothing);
-    const auto& triangles = frame.geometry.triangles;
-    executor.forRange(triangles.size(), kTrianglesPerPiece, [&](size_t begin, size_t end) {
-        for (size_t id = begin; id < end; ++id) {
-            const Triangle& triangle = triangles[id];
-            const PixelRange range = footprint(triangle);
-            if (range.x0 > range.x1 || range.y0 > range.y1) continue;
-            const EyeTriangle seen(triangle, reach);
-            for (int y = range.y0; y <= range.y1; ++y)
-                for (int x = range.x0; x <= range.x1; ++x) {
-                    Key& key = keys[(size_t) y * grid.width + x];
-                    const Ray ray = rayThrough(frame, x, y, offset);
-                    const Key current = std::atomic_ref<Key>(key).load(std::memory_order_relaxed);
-                    const float limit = current == kNothing ? INFINITY : distanceOf(current);
-                    TriangleHit hit;
-                    if (!seen.certainlyBeyond(ray.direction, limit) &&
-                        intersect(ray, triangle, hit))
-                        includeAtomically(key, makeKey(hit.t, (uint32_t) id));
-                }
+/// The image's tiles, and the triangles in each in the order of depth.
+class TiledTriangles {
+public:
+    TiledTriangles(const FrameContext& frame, const SampleRays& rays, Executor& executor)
+        : width_(frame.settings.grid.width), height_(frame.settings.grid.height),
+          columns_((width_ + EyeTile::kWidth - 1) / EyeTile::kWidth),
+          rows_((height_ + EyeTile::kHeight - 1) / EyeTile::kHeight),
+          bounds_(rays.bounds(width_, height_)) {
+        for (int row = 0; row <= rows_; ++row)
+            for (int column = 0; column <= columns_; ++column)
+                corners_.push_back(rays.direction(std::min(column * EyeTile::kWidth, width_),
+                                                  std::min(row * EyeTile::kHeight, height_)));
+        const GridSettings& grid = frame.settings.grid;
+        const ImageFootprint footprint(frame.scene.camera, grid.width, grid.height, grid.mode,
+                                       rays.offset());
+        const auto& triangles = frame.geometry.triangles;
+        std::vector<Piece> pieces((triangles.size() + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
+        executor.forRange(triangles.size(), kTrianglesPerPiece, [&](size_t begin, size_t end) {
+            Piece& piece = pieces[begin / kTrianglesPerPiece];
+            for (size_t id = begin; id < end; ++id) {
+                const PixelRange range = footprint(triangles[id]);
+                if (range.x0 > range.x1 || range.y0 > range.y1) continue;
+                place(EyeTriangle(triangles[id], (uint32_t) id, range, bounds_), piece);
+            }
+        });
+        std::vector<FragmentPiece> fragments;
+        size_t sum = 0;
+        for (const Piece& piece : pieces) {
+            fragments.push_back({piece.fragments, (uint32_t) sum});
+            sum += piece.items.size();
         }
+        items_.reserve(sum);
+        for (const Piece& piece : pieces)
+            items_.insert(items_.end(), piece.items.begin(), piece.items.end());
+        lists_ = sortIntoTiles(fragments, (size_t) tiles(), executor);
+    }
+
+    int tiles() const { return columns_ * rows_; }
+
+    /// What the pixels of a tile see.
+    void fill(const FrameContext& frame, const SampleRays& rays, int index, EyeTile& tile) const {
+        tile.x0 = index % columns_ * EyeTile::kWidth;
+        tile.y0 = index / columns_ * EyeTile::kHeight;
+        for (int pixel = 0; pixel < EyeTile::kPixels; ++pixel) {
+            const int x = tile.x0 + pixel % EyeTile::kWidth;
+            const int y = tile.y0 + pixel / EyeTile::kWidth;
+            const glm::vec3 d = rays.direction(x, y);
+            for (int i = 0; i < 3; ++i) tile.direction[i][pixel] = d[i];
+            const bool outside = x >= width_ || y >= height_;
+            tile.low[pixel] = tile.high[pixel] = outside ? HUGE_VALF : -HUGE_VALF;
+            tile.id[pixel] = kNoPrimitive;
+        }
+        rasterizeTile(frame.geometry.triangles, items_, lists_.list((size_t) index), bounds_.margin,
+                      tile);
+    }
+
+private:
+    struct Piece {
+        std::vector<EyeTriangle> items;
+        std::vector<DepthFragment> fragments;
+    };
+
+    void place(const EyeTriangle& item, Piece& piece) const {
+        const int column0 = item.range.x0 / EyeTile::kWidth;
+        const int column1 = item.range.x1 / EyeTile::kWidth;
+        const int row0 = item.range.y0 / EyeTile::kHeight;
+        const int row1 = item.range.y1 / EyeTile::kHeight;
+        const bool one = column0 == column1 && row0 == row1;
+        const size_t before = piece.fragments.size();
+        for (int row = row0; row <= row1; ++row)
+            for (int column = column0; column <= column1; ++column) {
+                const size_t corner = (size_t) row * (columns_ + 1) + column;
+                const size_t below = corner + columns_ + 1;
+                if (!one && item.misses({corners_[corner], corners_[corner + 1], corners_[below],
+                                         corners_[below + 1]},
+                                        bounds_.spread))
+                    continue;
+                piece.fragments.push_back({(uint32_t) (row * columns_ + column),
+                                           (uint32_t) piece.items.size(), item.near});
+            }
+        if (piece.fragments.size() > before) piece.items.push_back(item);
+    }
+
+    int width_, height_, columns_, rows_;
+    EyeRays bounds_;
+    std::vector<glm::vec3> corners_; ///< directions at the tiles' corners
+    std::vector<EyeTriangle> items_;
+    DepthLists lists_;
+};
+
+/// Calls visit(pixel of the image, ray, id, hit) for each pixel, with kNoPrimitive for nothing.
+template <class Visit>
+void forEachHit(const FrameContext& frame, Executor& executor, uint32_t sample,
+                const Visit& visit) {
+    const int width = frame.settings.grid.width, height = frame.settings.grid.height;
+    const SampleRays rays(frame, sample);
+    const TiledTriangles tiled(frame, rays, executor);
+    executor.forRange((size_t) tiled.tiles(), 1, [&](size_t index, size_t) {
+        thread_local EyeTile tile;
+        tiled.fill(frame, rays, (int) index, tile);
+        for (int y = 0; y < std::min(EyeTile::kHeight, height - tile.y0); ++y)
+            for (int x = 0; x < std::min(EyeTile::kWidth, width - tile.x0); ++x) {
+                const int pixel = y * EyeTile::kWidth + x;
+                const uint32_t id = tile.id[pixel];
+                const Ray ray = tile.ray(pixel);
+                TriangleHit hit;
+                if (id != kNoPrimitive) intersect(ray, frame.geometry.triangles[id], hit);
+                visit((size_t) (tile.y0 + y) * width + tile.x0 + x, ray, id, hit);
+            }
     });
-    return keys;
 }
 
 } // namespace
 
 void rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
                                std::span<SurfacePoint> points) {
-    const int width = frame.settings.grid.width;
-    const glm::vec2 offset = subPixelOffset(sample, frame.settings.seed);
-    const std::vector<Key> keys = findNearest(frame, executor, offset);
-    executor.forRange(points.size(), kPixelsPerPiece, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-            points[i] = {};
-            if (keys[i] == kNothing) continue;
-            const uint32_t id = (uint32_t) keys[i];
-            const Ray ray = rayThrough(frame, (int) (i % width), (int) (i / width), offset);
-            TriangleHit hit;
-            intersect(ray, frame.geometry.triangles[id], hit);
-            points[i] = fetchSurface(frame.scene, frame.geometry, ray.direction, id, hit.u, hit.v);
-        }
-    });
+    forEachHit(frame, executor, sample,
+               [&](size_t pixel, const Ray& ray, uint32_t id, const TriangleHit& hit) {
+                   points[pixel] = {};
+                   if (id != kNoPrimitive)
+                       points[pixel] = fetchSurface(frame.scene, frame.geometry, ray.direction, id,
+                                                    hit.u, hit.v);
+               });
+}
+
+void rasterizeHits(const FrameContext& frame, Executor& executor, uint32_t sample,
+                   std::span<Hit> hits) {
+    forEachHit(frame, executor, sample,
+               [&](size_t pixel, const Ray&, uint32_t id, const TriangleHit& hit) {
+                   hits[pixel] = {};
+                   if (id != kNoPrimitive) hits[pixel] = {id, hit.t, hit.u, hit.v, 0, 0};
+               });
 }
 
 } // namespace dirt

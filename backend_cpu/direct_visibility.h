@@ -13,4 +13,8 @@ namespace dirt {
 void rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
                                std::span<SurfacePoint> points);
 
+/// The hits alone, without views and tiles.
+void rasterizeHits(const FrameContext& frame, Executor& executor, uint32_t sample,
+                   std::span<Hit> hits);
+
 } // namespace dirt

@@ -57,6 +57,8 @@ ImageFootprint::ImageFootprint(const Camera& camera, int width, int height, View
     const double largest = 1.0 + std::max(slopeX, slopeY);
     largestSlope_ = largest;
     margin_ = 0x1p-19 * largest * largest;
+    first_ = slope_ + offset_ * step_ - margin_;
+    last_ = slope_ + (offset_ + glm::dvec2(size_ - 1)) * step_ + margin_;
     if (mode == ViewMode::full) {
         const CameraBasis basis = cameraBasis(camera);
         toImage_ = glm::inverse(glm::dmat3(basis.right, basis.down, basis.forward));
@@ -70,6 +72,16 @@ PixelRange ImageFootprint::operator()(const Triangle& triangle) const {
     const auto norm = [](const glm::dvec3& v) {
         return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
     };
+    // Most triangles lie beyond one side of the image as a whole: no ray is there.
+    const double clear = 0x1p-40 * largestSlope_ * std::max({norm(p[0]), norm(p[1]), norm(p[2])});
+    for (int axis = 0; axis < 2; ++axis) {
+        const auto allBeyond = [&](double sign, double slope) {
+            return sign * (p[0][axis] - slope * p[0].z) > clear &&
+                   sign * (p[1][axis] - slope * p[1].z) > clear &&
+                   sign * (p[2][axis] - slope * p[2].z) > clear;
+        };
+        if (allBeyond(-1.0, first_[axis]) || allBeyond(1.0, last_[axis])) return {};
+    }
     int sides[3]; // -1 behind, 1 before the eye's plane, 0 too near to it to tell
     for (int i = 0; i < 3; ++i)
         sides[i] = std::abs(p[i].z) <= kFlat * norm(p[i]) ? 0 : p[i].z > 0.0 ? 1 : -1;

@@ -29,6 +29,7 @@ private:
     glm::dvec2 offset_;         ///< of the sample, pixels
     double largestSlope_ = 0.0; ///< of the image, and 1
     double margin_ = 0.0;       ///< of a slope
+    glm::dvec2 first_, last_;   ///< slopes of the first and last pixels' rays, a margin beside
     glm::ivec2 size_;
 };
 

@@ -8,6 +8,7 @@
 #include "core/path/camera_rays.h"
 #include "core/trace/intersect.h"
 #include "tests/frame/shapes.h"
+#include "tests/support/simd_targets.h"
 #include "tests/support/small_scenes.h"
 
 #include <cstring>
@@ -113,6 +114,24 @@ TEST(DirectVisibility, EqualsTracedRaysThroughEdges) {
             << "case " << i;
     }
     EXPECT_GT(onEdges, 500u);
+}
+
+TEST(DirectVisibility, IsTheSameOnEveryInstructionSet) {
+    ThreadPool pool(2);
+    test::Random random(6);
+    for (int i = 0; i < test::cases(30, 1000); ++i) {
+        RenderSettings settings;
+        settings.grid.width = random.range(1, 100);
+        settings.grid.height = random.range(1, 60);
+        settings.seed = (uint32_t) i;
+        Scene scene = test::sceneOf(test::smallScene(random, {settings.grid, Camera{}}));
+        scene.camera.target = randomDirection(random);
+        const auto traced = firstPoints(scene, settings, Primary::traced, pool);
+        test::forEachTarget([&] {
+            const auto raster = firstPoints(scene, settings, Primary::raster, pool);
+            ASSERT_EQ(countDifferent(raster, traced), 0u) << "case " << i;
+        });
+    }
 }
 
 TEST(DirectVisibility, CoincidentTrianglesShowTheLowestId) {
