@@ -1,11 +1,9 @@
-// dirt check: the OpenGL backend against the CPU's on a whole scene, and whether the check would
-// notice a fault of any pass.
+// Whether dirt check notices a fault of any pass of the OpenGL backend: edited shaders, one fault
+// each.
 
 #include "backend_cpu/cpu_backend.h"
 #include "backend_gl/gl_backend.h"
 #include "core/check/check.h"
-#include "core/io/load.h"
-#include "scenes/generate/generate.h"
 #include "tests/support/small_scenes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -16,54 +14,6 @@
 
 namespace dirt::test {
 namespace {
-
-const Scene& cornell() {
-    static const Scene scene = [] {
-        const TemporaryFolder folder;
-        generateScene("cornell", 36, folder.path());
-        return loadScene(folder / "cornell.scene", {}).scene;
-    }();
-    return scene;
-}
-
-std::string text(const CheckRow& row) {
-    std::string text = row.pass + ", " + row.buffer + ", " + row.tested + " on " + row.source +
-                       ": " + std::to_string(row.different) + " of " +
-                       std::to_string(row.compared) + " differ";
-    for (const std::string& example : row.examples) text += "\n  " + example;
-    return text;
-}
-
-TEST(Check, FindsNoDifferenceOnCornell) {
-    SerialExecutor executor;
-    CpuBackend cpu(executor);
-    GlOptions options;
-    options.poolNodes = 1000; // and has to grow
-    GlBackend gl(options);
-    const auto isLarge = [](const GridSettings& s) {
-        const int64_t side = (s.height + s.tile - 1) / s.tile;
-        return 6 * side * side * s.bins > 2'000'000 && s.mode == ViewMode::full;
-    };
-    for (int tile : {1, 4, 16, 64})
-        for (int bins : {1, 16, 44})
-            for (ViewMode mode : {ViewMode::full, ViewMode::single})
-                for (const auto& [width, height] : {std::pair(512, 512), {1024, 512}, {333, 217}}) {
-                    GridSettings settings;
-                    settings.mode = mode;
-                    settings.width = width;
-                    settings.height = height;
-                    settings.tile = tile;
-                    settings.bins = bins;
-                    if (isLarge(settings) && !fullTests()) continue;
-                    for (const CheckRow& row :
-                         checkConstruction(cornell().mesh, cornell().camera, settings, cpu, gl)) {
-                        ASSERT_EQ(row.different, 0u)
-                            << text(row) << "\ntile " << tile << " bins " << bins << " size "
-                            << width << "x" << height << (mode == ViewMode::full ? " full" : "");
-                        ASSERT_EQ(row.equal, row.compared);
-                    }
-                }
-}
 
 /// Edited copies of the shaders.
 class EditedShaders {
