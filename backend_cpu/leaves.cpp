@@ -1,25 +1,32 @@
 #include "backend_cpu/leaves.h"
 
 #include "backend_cpu/leaf_boxes.h"
-#include "core/trace/determinant.h"
+#include "backend_cpu/without_area.h"
 #include "core/trace/ray.h"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <span>
 #include <utility>
 
+// Compiles what follows once for each instruction set that Highway knows on this architecture.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "backend_cpu/leaves.cpp"
+#include <hwy/foreach_target.h>
+
+#include "backend_cpu/leaf_items-inl.h"
+#include "backend_cpu/node_boxes-inl.h"
+
+#ifndef DIRT_LEAVES_SIZES
+#define DIRT_LEAVES_SIZES
 namespace dirt {
 namespace {
 
 constexpr size_t kTilesPerPiece = 16;
-constexpr uint32_t kWidth = LeafBlock::kTriangles;
+constexpr size_t kTrianglesPerPiece = 4096;
+using TreeSize = Leaves::TreeSize;
 
-/// Sizes of one tile's tree, without its root.
-struct TreeSize {
-    uint32_t blocks = 0, nodes = 0;
-};
+constexpr uint32_t kWidth = LeafBlock::kTriangles;
 
 using Sizes = std::array<uint32_t, LeafNode::kChildren>;
 
@@ -57,31 +64,38 @@ uint32_t nodesBelow(std::span<const uint32_t> blocks) {
     return nodes;
 }
 
-/// Whether the triangle has no area, exactly. A component of the normal has two products of two
-/// differences: below 2^-51 of them off in double.
-bool hasNoArea(const Triangle& t) {
-    for (int x = 0; x < 3; ++x) {
-        const int y = (x + 1) % 3;
-        const double bx = (double) t.b[x] - t.a[x], by = (double) t.b[y] - t.a[y];
-        const double cx = (double) t.c[x] - t.a[x], cy = (double) t.c[y] - t.a[y];
-        const double first = bx * cy, second = by * cx;
-        if (std::abs(first - second) > 0x1p-49 * (std::abs(first) + std::abs(second))) return false;
+/// Calls visit(view, tile in the view, tile) for tiles [begin, end) over all views.
+template <class Visit>
+void forEachTile(const Grid& grid, size_t begin, size_t end, Visit&& visit) {
+    int view = 0;
+    for (size_t tile = begin; tile < end; ++tile) {
+        while (tile >= grid.firstTile[view + 1]) ++view;
+        visit(view, (int) (tile - grid.firstTile[view]), tile);
     }
-    for (const glm::vec3 axis : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)})
-        if (directionDeterminantExact(axis, t.a, t.b, t.c) != 0.0) return false;
-    return true;
 }
+
+} // namespace
+} // namespace dirt
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace dirt::HWY_NAMESPACE {
 
 /// Builds the tree of one tile's lists into its place.
 class TreeBuilder {
 public:
-    using List = std::span<LeafItem>;
+    /// Items [begin, end), those of one list or of several neighbours.
+    struct List {
+        uint32_t begin, end;
+        uint32_t size() const { return end - begin; }
+    };
 
-    TreeBuilder(const FrameGeometry& geometry, Leaves& leaves, TreeSize place)
-        : geometry_(geometry), leaves_(leaves), nextBlock_(place.blocks), nextNode_(place.nodes) {}
+    TreeBuilder(const FrameGeometry& geometry, Leaves& leaves, LeafItems& items, TreeSize place)
+        : geometry_(geometry), leaves_(leaves), items_(items), nextBlock_(place.blocks),
+          nextNode_(place.nodes) {}
 
-    /// The node over several lists, each of one bin.
-    void overLists(LeafNode& node, std::span<const List> lists) {
+    /// The node over several lists, each of one bin; returns the box around them.
+    LeafBox overLists(LeafNode& node, std::span<const List> lists) {
         Sizes sizes;
         const int count = cut((uint32_t) lists.size(), sizes);
         std::array<std::span<const List>, LeafNode::kChildren> parts;
@@ -96,40 +110,39 @@ public:
         NodeBoxes boxes;
         for (int i = 0; i < count; ++i) {
             // Lists of neighbouring bins stand side by side.
-            const List all(parts[i].front().data(),
-                           parts[i].back().data() + parts[i].back().size());
-            boxes.add(all);
+            const List all{parts[i].front().begin, parts[i].back().end};
             if (i >= node.nodes)
-                writeBlock(leaves_.blocks[node.firstBlock + i - node.nodes], all);
+                boxes.add(writeBlock(leaves_.blocks[node.firstBlock + i - node.nodes], all));
             else if (parts[i].size() > 1)
-                overLists(leaves_.nodes[node.firstNode + i], parts[i]);
+                boxes.add(overLists(leaves_.nodes[node.firstNode + i], parts[i]));
             else
-                overBlocks(leaves_.nodes[node.firstNode + i], all);
+                boxes.add(overBlocks(leaves_.nodes[node.firstNode + i], all));
         }
         boxes.write(node);
+        return boxes.all();
     }
 
 private:
     /// The node over one list of more than one block.
-    void overBlocks(LeafNode& node, List items) {
+    LeafBox overBlocks(LeafNode& node, List list) {
         Sizes sizes{};
-        const int count = cut(blocksOf(items.size()), sizes);
-        arrange(items, sizes.data(), count);
+        const int count = cut(blocksOf(list.size()), sizes);
+        arrange(list, sizes.data(), count);
         int nodes = 0;
         while (nodes < count && sizes[nodes] > 1) ++nodes;
         start(node, count, nodes);
 
         NodeBoxes boxes;
         for (int i = 0; i < count; ++i) {
-            const List part = items.first(std::min<size_t>(sizes[i] * kWidth, items.size()));
-            items = items.subspan(part.size());
-            boxes.add(part);
+            const List part{list.begin, std::min(list.begin + sizes[i] * kWidth, list.end)};
+            list.begin = part.end;
             if (i < nodes)
-                overBlocks(leaves_.nodes[node.firstNode + i], part);
+                boxes.add(overBlocks(leaves_.nodes[node.firstNode + i], part));
             else
-                writeBlock(leaves_.blocks[node.firstBlock + i - nodes], part);
+                boxes.add(writeBlock(leaves_.blocks[node.firstBlock + i - nodes], part));
         }
         boxes.write(node);
+        return boxes.all();
     }
 
     void start(LeafNode& node, int children, int nodes) {
@@ -142,36 +155,20 @@ private:
     }
 
     /// Brings the items into the order of the parts: halves of halves, each of neighbours.
-    void arrange(List items, const uint32_t* sizes, int parts) {
+    void arrange(List list, const uint32_t* sizes, int parts) {
         if (parts == 1) return;
         const int half = parts / 2;
-        size_t split = 0;
-        for (int i = 0; i < half; ++i) split += (size_t) sizes[i] * kWidth;
-        partition(items, split, widestAxis(items));
-        arrange(items.first(split), sizes, half);
-        arrange(items.subspan(split), sizes + half, parts - half);
+        uint32_t split = 0;
+        for (int i = 0; i < half; ++i) split += sizes[i] * kWidth;
+        items_.split(list.begin, list.end, split);
+        arrange({list.begin, list.begin + split}, sizes, half);
+        arrange({list.begin + split, list.end}, sizes + half, parts - half);
     }
 
-    /// Brings the items with the lowest middles along an axis to the front, \p split of them.
-    void partition(List items, size_t split, int axis) {
-        // Selected are numbers, which order like the middles and then the places; half as long as
-        // to move the items about.
-        keys_.resize(items.size());
-        for (size_t i = 0; i < items.size(); ++i) {
-            const float middle = items[i].low[axis] + items[i].high[axis];
-            const uint32_t bits = std::bit_cast<uint32_t>(middle);
-            const uint32_t ordered = bits ^ (bits >> 31 ? 0xffffffffu : 0x80000000u);
-            keys_[i] = (uint64_t) ordered << 32 | i;
-        }
-        std::nth_element(keys_.begin(), keys_.begin() + split, keys_.end());
-        moved_.assign(items.begin(), items.end());
-        for (size_t i = 0; i < items.size(); ++i) items[i] = moved_[(uint32_t) keys_[i]];
-    }
-
-    void writeBlock(LeafBlock& block, List items) {
-        const size_t count = items.size();
-        for (size_t i = 0; i < kWidth; ++i) {
-            const uint32_t id = items[std::min(i, count - 1)].id;
+    LeafBox writeBlock(LeafBlock& block, List list) {
+        const uint32_t count = list.size();
+        for (uint32_t i = 0; i < kWidth; ++i) {
+            const uint32_t id = items_[list.begin + std::min(i, count - 1)].id;
             const Triangle& t = geometry_.triangles[id];
             const glm::vec3* const vertices[3] = {&t.a, &t.b, &t.c};
             for (int v = 0; v < 3; ++v)
@@ -179,28 +176,51 @@ private:
                     block.vertex[v][axis][i] = (*vertices[v])[axis];
             block.id[i] = i < count ? id : kNoPrimitive;
         }
+        return items_.box(list.begin, list.end);
     }
 
     const FrameGeometry& geometry_;
     Leaves& leaves_;
+    LeafItems& items_;
     uint32_t nextBlock_, nextNode_;
-    std::vector<uint64_t> keys_;
-    std::vector<LeafItem> moved_;
 };
 
-/// Calls visit(view, tile in the view, tile over all views).
-template <class Visit>
-void forEachTile(const Grid& grid, Executor& executor, Visit&& visit) {
-    executor.forRange(grid.firstTile.back(), kTilesPerPiece, [&](size_t begin, size_t end) {
-        int view = 0;
-        for (size_t tile = begin; tile < end; ++tile) {
-            while (tile >= grid.firstTile[view + 1]) ++view;
-            visit(view, (int) (tile - grid.firstTile[view]), tile);
+/// The trees of tiles [begin, end), which lie in their places.
+void BuildTrees(const FrameGeometry& geometry, const Grid& grid, Leaves& leaves, size_t begin,
+                size_t end) {
+    thread_local LeafItems items;
+    thread_local std::vector<TreeBuilder::List> lists;
+    const int bins = grid.settings.bins;
+    forEachTile(grid, begin, end, [&](int view, int tileInView, size_t tile) {
+        const size_t cell = grid.cell(view, tileInView, 0);
+        items.reserve(grid.heads[cell + bins] - grid.heads[cell]);
+        lists.clear();
+        uint32_t count = 0;
+        for (int bin = 0; bin < bins; ++bin) {
+            const std::span<const uint32_t> list = grid.list(view, tileInView, bin);
+            if (list.empty()) continue;
+            const uint32_t first = count;
+            const LeafBox cellBox = boxOfCell(grid, view, tileInView, bin);
+            count = items.add(count, list, geometry.triangles, cellBox,
+                              [&](uint32_t id) { return leaves.unhittable[id] != 0; });
+            if (count == first) continue;
+            lists.push_back({first, count});
         }
+        if (lists.empty())
+            leaves.tiles[tile] = {}; // nothing that a ray hits
+        else
+            TreeBuilder(geometry, leaves, items, leaves.places[tile])
+                .overLists(leaves.nodes[tile], lists);
     });
 }
 
-} // namespace
+} // namespace dirt::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dirt {
+
+HWY_EXPORT(BuildTrees);
 
 float LeafNode::step(int axis) const {
     return std::bit_cast<float>((uint32_t) exponent[axis] << 23);
@@ -214,57 +234,45 @@ uint64_t Leaves::bytes() const {
 void fillLeaves(const FrameGeometry& geometry, const Grid& grid, Executor& executor,
                 Leaves& leaves) {
     const int bins = grid.settings.bins;
-    const size_t tiles = grid.firstTile.back();
-    std::vector<uint8_t> unhittable(geometry.triangles.size());
-    executor.forRange(unhittable.size(), 16384, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) unhittable[i] = hasNoArea(geometry.triangles[i]);
+    const size_t tiles = grid.firstTile.back(), count = geometry.triangles.size();
+    leaves.unhittable.resize(count);
+    executor.forRange(count, kTrianglesPerPiece, [&](size_t begin, size_t end) {
+        findWithoutArea({geometry.triangles.data() + begin, end - begin},
+                        leaves.unhittable.data() + begin);
     });
 
     // Sizes first, so that every tree has its place whichever thread builds it.
-    std::vector<TreeSize> sizes(tiles + 1);
+    leaves.places.resize(tiles);
     leaves.tiles.resize(tiles);
-    forEachTile(grid, executor, [&](int view, int tileInView, size_t tile) {
-        const DepthBounds& bounds = grid.bounds(view, tileInView);
-        leaves.tiles[tile] = {bounds.near, bounds.far};
+    executor.forRange(tiles, kTilesPerPiece, [&](size_t begin, size_t end) {
         thread_local std::vector<uint32_t> blocks;
-        blocks.clear();
-        for (int bin = 0; bin < bins; ++bin) {
-            size_t count = 0;
-            for (const uint32_t id : grid.list(view, tileInView, bin)) count += !unhittable[id];
-            if (count == 0) continue;
-            blocks.push_back(blocksOf(count));
-            sizes[tile].blocks += blocks.back();
-        }
-        sizes[tile].nodes = nodesBelow(blocks);
+        forEachTile(grid, begin, end, [&](int view, int tileInView, size_t tile) {
+            leaves.tiles[tile] = grid.bounds(view, tileInView);
+            blocks.clear();
+            TreeSize& size = leaves.places[tile] = {};
+            for (int bin = 0; bin < bins; ++bin) {
+                uint32_t listed = 0;
+                for (const uint32_t id : grid.list(view, tileInView, bin))
+                    listed += !leaves.unhittable[id];
+                if (listed == 0) continue;
+                blocks.push_back(blocksOf(listed));
+                size.blocks += blocks.back();
+            }
+            size.nodes = nodesBelow(blocks);
+        });
     });
     TreeSize sum{0, (uint32_t) tiles};
-    for (TreeSize& size : sizes) {
+    for (TreeSize& size : leaves.places) {
         const TreeSize own = std::exchange(size, sum);
         sum = {sum.blocks + own.blocks, sum.nodes + own.nodes};
     }
     leaves.nodes.resize(sum.nodes);
     leaves.blocks.resize(sum.blocks);
 
-    forEachTile(grid, executor, [&](int view, int tileInView, size_t tile) {
-        thread_local std::vector<LeafItem> items;
-        thread_local std::vector<std::span<LeafItem>> lists;
-        items.clear();
-        lists.clear();
-        items.reserve(grid.heads[grid.cell(view, tileInView, 0) + bins] -
-                      grid.heads[grid.cell(view, tileInView, 0)]);
-        for (int bin = 0; bin < bins; ++bin) {
-            const LeafItem cellBox = boxOfCell(grid, view, tileInView, bin);
-            const size_t first = items.size();
-            for (const uint32_t id : grid.list(view, tileInView, bin))
-                if (!unhittable[id])
-                    items.push_back(boxOfPart(geometry.triangles[id], id, cellBox));
-            if (items.size() > first) lists.emplace_back(items.begin() + first, items.end());
-        }
-        if (lists.empty())
-            leaves.tiles[tile] = {}; // nothing that a ray hits
-        else
-            TreeBuilder(geometry, leaves, sizes[tile]).overLists(leaves.nodes[tile], lists);
+    executor.forRange(tiles, kTilesPerPiece, [&](size_t begin, size_t end) {
+        HWY_DYNAMIC_DISPATCH(BuildTrees)(geometry, grid, leaves, begin, end);
     });
 }
 
 } // namespace dirt
+#endif // HWY_ONCE

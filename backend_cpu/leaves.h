@@ -44,9 +44,18 @@ static_assert(sizeof(LeafNode) == 128 && sizeof(LeafBlock) == 320);
 /// the triangles' parts in their cells; so a ray tests few of them. Triangles without area, which
 /// no ray hits, are left out.
 struct Leaves {
+    /// Sizes of one tile's tree without its root, and where it lies.
+    struct TreeSize {
+        uint32_t blocks = 0, nodes = 0;
+    };
+
     std::vector<DepthBounds> tiles; ///< in the numbering over all views; empty without triangles
     std::vector<LeafNode> nodes;    ///< those of the tiles first, in the same numbering
     std::vector<LeafBlock> blocks;
+
+    // Kept from frame to frame, while they are filled.
+    std::vector<TreeSize> places;    ///< of the tiles' trees
+    std::vector<uint8_t> unhittable; ///< per triangle: without area
 
     uint64_t bytes() const;
 };
