@@ -134,6 +134,43 @@ TEST(DirectVisibility, IsTheSameOnEveryInstructionSet) {
     }
 }
 
+TEST(DirectVisibility, OrdersSheetsThatNearlyCoincide) {
+    // Large triangles over the whole image, apart by some roundings or crossing each other: which
+    // is nearest changes from pixel to pixel, and only exact t tells.
+    ThreadPool pool(2);
+    test::Random random(7);
+    for (int i = 0; i < test::cases(60, 3000); ++i) {
+        RenderSettings settings;
+        settings.grid.width = 40;
+        settings.grid.height = 30;
+        settings.seed = (uint32_t) i;
+        const double apart = std::pow(10.0, random.uniform(-8, -1));
+        // Walls across the view, or floors just below the eye, along no axis.
+        Camera camera;
+        camera.eye = glm::vec3(0.0f);
+        camera.target = randomDirection(random);
+        camera.up = randomDirection(random);
+        const CameraBasis basis = cameraBasis(camera);
+        const bool wall = random.chance(0.5);
+        const double height = wall ? 1.0 : std::pow(10.0, random.uniform(-4, -1));
+        std::vector<Triangle> triangles;
+        for (int k = 0; k < 24; ++k) {
+            const auto corner = [&](float x, float y) {
+                const float at = (float) (-height * (1.0 + apart * random.uniform(-1, 1)));
+                const glm::vec3 p = wall ? glm::vec3(x, y, at) : glm::vec3(x, at, -2 - y);
+                return p.x * basis.right - p.y * basis.down - p.z * basis.forward;
+            };
+            triangles.push_back({corner(-4, -2), corner(4, -2), corner(0, 6)});
+        }
+        Scene scene = test::sceneOf(triangles);
+        scene.camera = camera;
+        const auto raster = firstPoints(scene, settings, Primary::raster, pool);
+        ASSERT_GT(countFound(raster), raster.size() / 4);
+        ASSERT_EQ(countDifferent(raster, firstPoints(scene, settings, Primary::traced, pool)), 0u)
+            << "case " << i;
+    }
+}
+
 TEST(DirectVisibility, CoincidentTrianglesShowTheLowestId) {
     test::Random random(2);
     std::vector<Triangle> triangles;
