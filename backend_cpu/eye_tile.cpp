@@ -21,12 +21,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr float kLeast = 0x1p-60f, kMost = 0x1p60f;
 
 /// Two t in doubt, or a hit in doubt: core decides.
-void resolve(const std::vector<Triangle>& triangles, uint32_t id, int pixel, EyeTile& tile) {
+void resolve(const FrameGeometry& geometry, uint32_t id, int pixel, EyeTile& tile) {
     const Ray ray = tile.ray(pixel);
     TriangleHit hit, seen;
-    if (!intersect(ray, triangles[id], hit)) return;
+    if (!intersect(ray, geometry.triangles[id], hit) || !geometry.holds(id, hit.u, hit.v)) return;
     if (tile.id[pixel] != kNoPrimitive) {
-        intersect(ray, triangles[tile.id[pixel]], seen);
+        intersect(ray, geometry.triangles[tile.id[pixel]], seen);
         if (seen.t < hit.t || (seen.t == hit.t && tile.id[pixel] < id)) return;
     }
     const float inverse = std::min(1.0f / hit.t, kMost);
@@ -35,13 +35,15 @@ void resolve(const std::vector<Triangle>& triangles, uint32_t id, int pixel, Eye
     tile.high[pixel] = inverse * (1.0f + 0x1p-20f);
 }
 
-void testTriangle(const std::vector<Triangle>& triangles, const EyeTriangle& item, float margin,
+void testTriangle(const FrameGeometry& geometry, const EyeTriangle& item, float margin,
                   EyeTile& tile) {
     const hn::CappedTag<float, 16> d;
     const hn::RebindToUnsigned<decltype(d)> du;
     const int lanes = (int) hn::Lanes(d);
     const auto minusMargin = hn::Set(d, -margin), plusMargin = hn::Set(d, margin);
     const auto error = hn::Set(d, item.error);
+    // What has holes is always in doubt.
+    const float surelyAbove = geometry.isWhole(item.id) ? margin : HUGE_VALF;
     const int x0 = std::max(0, item.range.x0 - tile.x0) / lanes * lanes;
     const int x1 = std::min(EyeTile::kWidth - 1, item.range.x1 - tile.x0);
     const int y0 = std::max(0, item.range.y0 - tile.y0);
@@ -71,7 +73,8 @@ void testTriangle(const std::vector<Triangle>& triangles, const EyeTriangle& ite
             const auto seenHigh = hn::Load(d, tile.high + pixel);
             const auto normal =
                 hn::And(hn::Gt(low, hn::Set(d, kLeast)), hn::Lt(high, hn::Set(d, kMost)));
-            const auto inside = hn::And(hn::Gt(least, plusMargin), hn::Gt(low, seenHigh));
+            const auto inside =
+                hn::And(hn::Gt(least, hn::Set(d, surelyAbove)), hn::Gt(low, seenHigh));
             const auto nearest = hn::And(met, hn::And(normal, inside));
             hn::Store(hn::IfThenElse(nearest, low, hn::Load(d, tile.low + pixel)), d,
                       tile.low + pixel);
@@ -85,12 +88,12 @@ void testTriangle(const std::vector<Triangle>& triangles, const EyeTriangle& ite
             hn::StoreMaskBits(d, doubtful, bits);
             for (uint32_t rest = (uint32_t) bits[0] | (uint32_t) bits[1] << 8; rest != 0;
                  rest &= rest - 1)
-                resolve(triangles, item.id, pixel + (int) hwy::Num0BitsBelowLS1Bit_Nonzero32(rest),
+                resolve(geometry, item.id, pixel + (int) hwy::Num0BitsBelowLS1Bit_Nonzero32(rest),
                         tile);
         }
 }
 
-void RasterizeTile(const std::vector<Triangle>& triangles, const std::vector<EyeTriangle>& items,
+void RasterizeTile(const FrameGeometry& geometry, const std::vector<EyeTriangle>& items,
                    std::span<const DepthEntry> list, float margin, EyeTile& tile) {
     const hn::CappedTag<float, 16> d;
     for (size_t i = 0; i < list.size(); ++i) {
@@ -102,7 +105,7 @@ void RasterizeTile(const std::vector<Triangle>& triangles, const std::vector<Eye
             const float least = hn::GetLane(hn::MinOfLanes(d, low));
             if (least > kLeast && list[i].near * least > 1.0f + 0x1p-19f) return;
         }
-        testTriangle(triangles, items[list[i].item], margin, tile);
+        testTriangle(geometry, items[list[i].item], margin, tile);
     }
 }
 
@@ -114,9 +117,9 @@ namespace dirt {
 
 HWY_EXPORT(RasterizeTile);
 
-void rasterizeTile(const std::vector<Triangle>& triangles, const std::vector<EyeTriangle>& items,
+void rasterizeTile(const FrameGeometry& geometry, const std::vector<EyeTriangle>& items,
                    std::span<const DepthEntry> list, float margin, EyeTile& tile) {
-    HWY_DYNAMIC_DISPATCH(RasterizeTile)(triangles, items, list, margin, tile);
+    HWY_DYNAMIC_DISPATCH(RasterizeTile)(geometry, items, list, margin, tile);
 }
 
 } // namespace dirt

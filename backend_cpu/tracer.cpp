@@ -140,7 +140,7 @@ public:
             if (!intersect(ray_, triangle, hit)) return;
             const bool nearer =
                 !best.found() || hit.t < best.t || (hit.t == best.t && id < best.primitive);
-            if (!nearer || !seen_.holds(hit.t)) return;
+            if (!nearer || !seen_.holds(hit.t) || !tracer_.geometry.holds(id, hit.u, hit.v)) return;
             best = {id, hit.t, hit.u, hit.v, 0, 0};
             limit = beyond(hit.t);
             located_ = false;
@@ -177,7 +177,8 @@ public:
         if (found || skips(tracer_.geometry, ray_, id, triangle)) return;
         ++counts.exact;
         TriangleHit hit;
-        if (intersect(ray_, triangle, hit) && hit.t < maxT_ && seen_.holds(hit.t)) {
+        if (intersect(ray_, triangle, hit) && hit.t < maxT_ && seen_.holds(hit.t) &&
+            tracer_.geometry.holds(id, hit.u, hit.v)) {
             found = true;
             limit = -1.0; // ends everything
         }
@@ -185,7 +186,7 @@ public:
 
     /// A triangle that is hit beyond doubt between the origin and t = 1.
     void testCertain(uint32_t id, LeafCounts& counts) {
-        const bool whole = maxT_ >= 1.0f && !tracer_.cone;
+        const bool whole = maxT_ >= 1.0f && !tracer_.cone && tracer_.geometry.isWhole(id);
         if (!whole)
             test(id, tracer_.geometry.triangles[id], counts);
         else if (!skips(tracer_.geometry, ray_, id, tracer_.geometry.triangles[id]))

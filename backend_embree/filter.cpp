@@ -27,7 +27,8 @@ bool skipped(const QueryContext& query, uint32_t primitive) {
 /// Core's verdict on the candidate.
 bool accepted(const QueryContext& query, uint32_t primitive, TriangleHit& hit) {
     return !skipped(query, primitive) &&
-           intersect(*query.ray, query.geometry->triangles[primitive], hit);
+           intersect(*query.ray, query.geometry->triangles[primitive], hit) &&
+           query.geometry->holds(primitive, hit.u, hit.v);
 }
 
 } // namespace

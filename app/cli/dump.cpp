@@ -198,7 +198,8 @@ int runDump(const DumpOptions& options) {
               {{"dirt:scene", input.scene.name},
                {"dirt:backend", backend->name()},
                {"dirt:seed", std::to_string(input.settings.seed)}});
-    const bool rasterPrimary = input.settings.primary == Primary::raster && backend->rasterizes();
+    const bool rasterPrimary =
+        !requirementsOf(input.scene, input.settings, backend->rasterizes()).tracedPrimary;
     RenderHooks hooks;
     hooks.stop = interrupted;
     hooks.observe = [&](uint32_t, int event) {

@@ -29,7 +29,7 @@ struct InfoOptions {
 /// What there is to say of a scene besides its run.
 struct SceneCounts {
     size_t emissiveTriangles = 0;
-    size_t texturesNamed = 0, textureBytes = 0;
+    size_t texturesFound = 0, texturesNamed = 0, textureBytes = 0;
     glm::vec3 low{0.0f}, high{0.0f}; ///< box of the triangles, world space
 };
 
@@ -49,8 +49,11 @@ SceneCounts count(const Input& input) {
         std::count_if(input.warnings.begin(), input.warnings.end(), [](const Warning& warning) {
             return warning.kind == WarningKind::unusableTexture;
         });
-    counts.texturesNamed = scene.textures.size() + (size_t) missing;
+    counts.texturesFound = scene.textures.size() + scene.scalarTextures.size();
+    counts.texturesNamed = counts.texturesFound + (size_t) missing;
     for (const Texture& texture : scene.textures) counts.textureBytes += texture.bytes();
+    for (const ScalarTexture& texture : scene.scalarTextures)
+        counts.textureBytes += texture.bytes();
     return counts;
 }
 
@@ -110,7 +113,7 @@ Json describe(const Input& input, const Backend& backend, const Executor& execut
     const SceneCounts counts = count(input);
     Json json = reportOf(input, backend, executor, build);
     json["materials"] = scene.materials.size();
-    json["textures"] = {{"found", scene.textures.size()},
+    json["textures"] = {{"found", counts.texturesFound},
                         {"named", counts.texturesNamed},
                         {"bytes", counts.textureBytes}};
     json["lights"] = scene.lights.size();

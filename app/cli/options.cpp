@@ -60,6 +60,9 @@ void addImageOptions(CLI::App& command, CommonOptions& o) {
                [&o](int64_t n) { o.samples = (int) n; });
     addInteger(command, "--bounces", 1, 1024, "path length, 1: direct light only (default: 3)",
                [&o](int64_t n) { o.bounces = (int) n; });
+    addChoice(command, "--ray-type", {"default", "diffuse", "glossy", "specular", "visibility"},
+              "what indirect rays take surfaces for; visibility: how open the surroundings are",
+              [&o](size_t i) { o.rayType = (RayType) i; });
     addInteger(command, "--seed", 0, 0xffffffffll, "of the random numbers (default: 0)",
                [&o](int64_t n) { o.seed = (uint32_t) n; });
     addVector(command, "--eye", "where the camera stands", [&o](glm::vec3 v) { o.eye = v; });
@@ -103,6 +106,8 @@ RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& o) {
     settings.fetch = o.fetch.value_or(settings.fetch);
     settings.samples = o.samples.value_or(settings.samples);
     settings.bounces = o.bounces.value_or(settings.bounces);
+    settings.rayType = o.rayType.value_or(settings.rayType);
+    if (settings.rayType == RayType::visibility) settings.bounces = 2;
     settings.seed = o.seed.value_or(settings.seed);
     checkMemory(grid, availableMemory());
     return settings;

@@ -39,6 +39,7 @@ struct CommonOptions {
     std::optional<int> samples;
     std::optional<int> bounces;
     std::optional<uint32_t> seed;
+    std::optional<RayType> rayType;
 
     std::optional<glm::vec3> eye, target, up;
     std::optional<float> verticalFov; ///< degrees

@@ -109,8 +109,12 @@ std::vector<ChannelInfo> surfacePointChannels() {
         .number("v", offsetof(SurfacePoint, v), "", "", "barycentric weight of the third vertex")
         .vector("diffuse", offsetof(SurfacePoint, diffuse), kColorOrder, kColor, "",
                 "diffuse reflectance")
+        .number("roughness", offsetof(SurfacePoint, roughness), "", "",
+                "width of the microfacets' distribution")
         .vector("emission", offsetof(SurfacePoint, emission), kColorOrder, kColor, kRadiance,
-                "emitted radiance");
+                "emitted radiance")
+        .word("gloss", offsetof(SurfacePoint, gloss),
+              "reflectance in the low, metallic in the high 16 bits, in units of 1/65535");
 }
 
 std::vector<ChannelInfo> flagChannels(const std::string& name, const std::string& meaning) {

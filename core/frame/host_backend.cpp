@@ -19,6 +19,7 @@ void HostBackend::setGeometry(const FrameGeometry& geometry) {
 
 void HostBackend::beginFrame(const Scene& scene, const RenderSettings& settings,
                              const Requirements& requirements) {
+    transformed_.cutOuts = requirements.cutOuts ? &scene : nullptr;
     frame_.emplace(scene, *geometry_, settings, requirements);
     paths_.allocate(requirements, (size_t) settings.grid.width * (size_t) settings.grid.height);
     counts_ = {};
@@ -33,7 +34,7 @@ void HostBackend::directVisibility(uint32_t) {
 }
 
 void HostBackend::depthMask(int event) {
-    passDepthMask(executor_, event, paths_);
+    passDepthMask(*frame_, executor_, event, paths_);
 }
 
 void HostBackend::rays(uint32_t sample, int event) {

@@ -3,8 +3,8 @@
 #include "core/frame/compact.h"
 #include "core/path/surface.h"
 #include "core/trace/offset.h"
+#include "shaders/shared/glossy_reflection.h"
 #include "shaders/shared/random.h"
-#include "shaders/shared/reflection.h"
 
 #include <algorithm>
 #include <span>
@@ -26,22 +26,67 @@ Ray leavingRay(const FrameGeometry& geometry, const SurfacePoint& point, glm::ve
             direction, point.primitive};
 }
 
-PathRay cameraRay(const FrameContext& frame, size_t pixel, glm::vec2 offset) {
+/// The numbers of one pixel and path event.
+struct RandomNumbers {
+    uint pixel, sample, event, seed;
+
+    float operator()(uint dimension) const {
+        return randomUnit(pixel, sample, event, dimension, seed);
+    }
+};
+
+PathRay cameraRay(const FrameContext& frame, size_t pixel, uint32_t sample, glm::vec2 offset) {
     const size_t width = (size_t) frame.settings.grid.width;
-    const Ray ray = frame.camera.through((float) (pixel % width) + offset.x,
-                                         (float) (pixel / width) + offset.y);
+    const float x = (float) (pixel % width) + offset.x, y = (float) (pixel / width) + offset.y;
+    const RandomNumbers random{(uint) pixel, sample, 0, frame.settings.seed};
+    const Ray ray = frame.requirements.lens ? frame.camera.through(x, y, random(kDimensionLensU),
+                                                                   random(kDimensionLensV))
+                                            : frame.camera.through(x, y);
     return {ray.origin, kNoPrimitive, ray.direction, 1.0f, glm::vec3(1.0f), 0.0f};
 }
 
+/// The unit vector from a point that the ray of path event \p event has found back along the ray.
+/// Without a lens those of event 0 come from the eye, whether they were traced or not.
+glm::vec3 towardsViewer(const FrameContext& frame, int event, const PathBuffers& paths,
+                        size_t pixel, const SurfacePoint& point) {
+    return event == 0 && !frame.requirements.lens ? directionToEye(point.position)
+                                                  : -unitVector(paths.rays[pixel].direction);
+}
+
+/// What the surface at G[k+1] reflects of the light, unless something is between them.
+glm::vec3 reflectedOfLight(const FrameContext& frame, int event, const PathBuffers& paths,
+                           size_t pixel) {
+    const SurfacePoint& point = paths.next[pixel];
+    const LightSample light = sampleSpotlight(*frame.light, point.position);
+    if (!isGlossy(point)) return reflectedRadiance(point, light);
+    return reflectedRadiance(point, frame.microfacets,
+                             towardsViewer(frame, event, paths, pixel, point), light);
+}
+
+Scattering scatterAt(const FrameContext& frame, const RandomNumbers& random, int event,
+                     const PathBuffers& paths, const SurfacePoint& point) {
+    const float u = random(kDimensionScatterU), v = random(kDimensionScatterV);
+    if (!isGlossy(point)) return scatter(point, u, v);
+    const glm::vec3 viewer = towardsViewer(frame, event - 1, paths, random.pixel, point);
+    return scatter(point, frame.microfacets, viewer, random(kDimensionLobe), u, v,
+                   random(kDimensionFacet));
+}
+
 PathRay scatteredRay(const FrameContext& frame, uint32_t pixel, uint32_t sample, int event,
-                     const SurfacePoint& point, glm::vec3 throughput) {
-    const uint32_t seed = frame.settings.seed;
-    const float u = randomUnit(pixel, sample, (uint) event, kDimensionScatterU, seed);
-    const float v = randomUnit(pixel, sample, (uint) event, kDimensionScatterV, seed);
-    const Scattering next = scatter(point, u, v);
+                     const PathBuffers& paths) {
+    const RandomNumbers random{pixel, sample, (uint) event, frame.settings.seed};
+    const SurfacePoint point = takenFor(frame.rayType, paths.current[pixel]);
+    const Scattering next = scatterAt(frame, random, event, paths, point);
     if (next.direction == glm::vec3(0.0f)) return {};
+    glm::vec3 throughput = next.weight;
+    if (event > 1) throughput = paths.rays[pixel].throughput * throughput;
+    if (frame.settings.roulette && (uint) event >= kFirstRouletteEvent) {
+        const float chance = survivalChance(throughput);
+        if (!(random(kDimensionRoulette) < chance)) return {};
+        throughput = throughput / chance;
+    }
     const Ray ray = leavingRay(frame.geometry, point, next.direction);
-    return {ray.origin, ray.skip, next.direction, next.pdf, throughput * next.weight, 0.0f};
+    return {ray.origin, ray.skip, next.direction, next.pdf, throughput, 0.0f};
 }
 
 bool goesSomewhere(const PathRay& ray) {
@@ -60,17 +105,22 @@ void inSlices(std::span<const uint32_t> pixels, const Cast& cast) {
 FrameContext::FrameContext(const Scene& scene, const FrameGeometry& geometry,
                            const RenderSettings& settings, const Requirements& requirements)
     : scene(scene), geometry(geometry), settings(settings), requirements(requirements),
-      camera(scene.camera, settings.grid.width, settings.grid.height, settings.grid.mode) {
+      camera(scene.camera, settings.grid.width, settings.grid.height, settings.grid.mode,
+             geometry.frame.scale),
+      microfacets((uint) scene.microfacetModel), rayType((uint) settings.rayType) {
     if (settings.grid.mode == ViewMode::single)
         view.emplace(makeViews(settings.grid, scene.camera).front());
     if (requirements.light) light = makeGridSpotlight(scene.lights.front(), geometry.frame);
 }
 
-void passDepthMask(Executor& executor, int event, PathBuffers& paths) {
+void passDepthMask(const FrameContext& frame, Executor& executor, int event, PathBuffers& paths) {
+    const auto reflects = [&](const SurfacePoint& point) {
+        return !black(point.diffuse) || isGlossy(point) || frame.rayType == kRaysVisibility;
+    };
     executor.forRange(paths.mask.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
             paths.mask[i] = (event == 1 || paths.mask[i]) && paths.current[i].found() &&
-                            !black(paths.current[i].diffuse);
+                            reflects(paths.current[i]);
     });
 }
 
@@ -81,10 +131,9 @@ void passRays(const FrameContext& frame, Executor& executor, uint32_t sample, in
         for (size_t i = begin; i < end; ++i) {
             PathRay& ray = paths.rays[i];
             if (event == 0)
-                ray = cameraRay(frame, i, offset);
+                ray = cameraRay(frame, i, sample, offset);
             else if (paths.mask[i])
-                ray = scatteredRay(frame, (uint32_t) i, sample, event, paths.current[i],
-                                   event == 1 ? glm::vec3(1.0f) : ray.throughput);
+                ray = scatteredRay(frame, (uint32_t) i, sample, event, paths);
             else
                 ray = {};
         }
@@ -140,9 +189,8 @@ void passVisibility(const FrameContext& frame, Executor& executor, Tracer& trace
     if (!frame.light) return;
     const auto pixels = compact(executor, paths.next.size(), kGrain, [&](size_t i) {
         paths.visibility[i] = 0;
-        const SurfacePoint& point = paths.next[i];
-        return paths.alive(event, i) && point.found() &&
-               !black(reflectedRadiance(point, sampleSpotlight(*frame.light, point.position)));
+        return paths.alive(event, i) && paths.next[i].found() &&
+               !black(reflectedOfLight(frame, event, paths, i));
     });
     std::vector<Ray> rays(std::min(kRaysPerCast, pixels.size()));
     std::vector<float> maxT(rays.size());
@@ -172,14 +220,14 @@ void passShade(const FrameContext& frame, Executor& executor, int event, PathBuf
             if (!paths.alive(event, i)) continue;
             const SurfacePoint& point = paths.next[i];
             const glm::vec3 throughput = event == 0 ? glm::vec3(1.0f) : paths.rays[i].throughput;
-            if (point.found())
+            if (frame.rayType == kRaysVisibility)
+                paths.radiance[i] += point.found() ? glm::vec3(0.0f) : throughput;
+            else if (point.found())
                 paths.radiance[i] += throughput * point.emission;
             else if (seesBackground)
                 paths.radiance[i] += throughput * frame.scene.background;
             if (frame.light && paths.visibility[i])
-                paths.radiance[i] +=
-                    throughput *
-                    reflectedRadiance(point, sampleSpotlight(*frame.light, point.position));
+                paths.radiance[i] += throughput * reflectedOfLight(frame, event, paths, i);
         }
     });
 }

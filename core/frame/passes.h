@@ -18,6 +18,8 @@ struct FrameContext {
     const RenderSettings& settings;
     Requirements requirements;
     CameraRays camera;
+    uint microfacets; ///< the scene's model
+    uint rayType;     ///< what indirect rays take surfaces for; the values of RayType
     std::optional<GridSpotlight> light;
     std::optional<ViewCone> view; ///< single mode: where secondary and shadow rays end
 
@@ -29,8 +31,8 @@ struct FrameContext {
 // computes. Each writes all records of what it writes; a pixel without a path gets an empty one.
 
 /// Mask of the pixels whose path goes on to event \p event >= 1: those that have reached a surface,
-/// G[k], that is not black. Reads and writes the mask, which event 1 finds full.
-void passDepthMask(Executor& executor, int event, PathBuffers& paths);
+/// G[k], that reflects. Reads and writes the mask, which event 1 finds full.
+void passDepthMask(const FrameContext& frame, Executor& executor, int event, PathBuffers& paths);
 
 /// The rays of \p event: from the eye for event 0; else from G[k], in directions that its lobe
 /// chooses. One that would leave through the surface gets no direction: the path ends.

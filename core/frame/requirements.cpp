@@ -32,6 +32,21 @@ bool shines(const Material* material) {
 bool isTextured(const Material* material) {
     return material->diffuseMap != kNoTexture;
 }
+bool shinesByTexture(const Material* material) {
+    return shines(material) && material->emissionMap != kNoTexture;
+}
+bool isGlossy(const Material* material) {
+    return material->reflectance > 0.0f;
+}
+bool isGlossyByTexture(const Material* material) {
+    return isGlossy(material) && material->reflectanceMap != kNoTexture;
+}
+bool isBumpy(const Material* material) {
+    return material->bumpMap != kNoTexture;
+}
+bool isCutOut(const Material* material) {
+    return material->hasCutOuts();
+}
 
 /// Triangles with a normal at every corner.
 size_t countNormals(const Mesh& mesh) {
@@ -49,38 +64,60 @@ std::string share(size_t count, size_t all, const char* what) {
 
 Requirements requirementsOf(const Scene& scene, const RenderSettings& settings, bool rasterizes) {
     Requirements need;
-    need.light = !scene.lights.empty();
+    need.light = !scene.lights.empty() && settings.rayType != RayType::visibility;
     need.emission = countMaterials(scene, shines) > 0;
     need.background = !black(scene.background);
-    need.diffuseTextures = !scene.mesh.texcoords.empty() && countMaterials(scene, isTextured) > 0;
+    const bool textured = !scene.mesh.texcoords.empty();
+    need.diffuseTextures = textured && countMaterials(scene, isTextured) > 0;
+    need.emissionTextures = textured && countMaterials(scene, shinesByTexture) > 0;
+    need.gloss = countMaterials(scene, isGlossy) > 0 || settings.rayType == RayType::glossy ||
+                 settings.rayType == RayType::specular;
+    need.reflectanceTextures = textured && countMaterials(scene, isGlossyByTexture) > 0;
+    need.bumps = textured && countMaterials(scene, isBumpy) > 0;
+    need.cutOuts = countMaterials(scene, isCutOut) > 0;
     need.shadingNormals = countNormals(scene.mesh) > 0;
     need.indirect = settings.bounces > 1;
-    need.tracedPrimary = settings.primary == Primary::traced || !rasterizes;
+    need.lens = scene.camera.apertureRadius > 0.0f;
+    need.tracedPrimary = settings.primary == Primary::traced || need.lens || !rasterizes;
     return need;
 }
 
 std::vector<RequirementReason> explain(const Requirements& need, const Scene& scene,
                                        const RenderSettings& settings, bool rasterizes) {
     const size_t materials = usedMaterials(scene).size();
+    const auto ofTextured = [&](const auto& predicate) -> std::string {
+        if (scene.mesh.texcoords.empty()) return "no texture coordinates";
+        return share(countMaterials(scene, predicate), materials, "materials");
+    };
     const std::string bounces = std::to_string(settings.bounces) + " bounces";
     return {
-        {"light", need.light, need.light ? "the scene has a spotlight" : "no light in the scene"},
+        {"light", need.light,
+         scene.lights.empty() ? "no light in the scene"
+         : need.light         ? "the scene has a spotlight"
+                              : "the image shows visibility alone"},
         {"emission", need.emission, share(countMaterials(scene, shines), materials, "materials")},
         {"background", need.background,
          need.background ? "rays that miss see a radiance" : "rays that miss see black"},
-        {"diffuse textures", need.diffuseTextures,
-         scene.mesh.texcoords.empty()
-             ? "no texture coordinates"
-             : share(countMaterials(scene, isTextured), materials, "materials")},
+        {"diffuse textures", need.diffuseTextures, ofTextured(isTextured)},
+        {"emission textures", need.emissionTextures, ofTextured(shinesByTexture)},
+        {"gloss", need.gloss,
+         settings.rayType == RayType::glossy || settings.rayType == RayType::specular
+             ? "asked for"
+             : share(countMaterials(scene, isGlossy), materials, "materials")},
+        {"reflectance textures", need.reflectanceTextures, ofTextured(isGlossyByTexture)},
+        {"bump maps", need.bumps, ofTextured(isBumpy)},
+        {"cut-outs", need.cutOuts, share(countMaterials(scene, isCutOut), materials, "materials")},
         {"shading normals", need.shadingNormals,
          share(countNormals(scene.mesh), scene.mesh.triangles.size(), "triangles")},
         {"indirect light", need.indirect, need.indirect ? bounces : "direct light only"},
+        {"lens", need.lens, need.lens ? "the camera has an aperture" : "the camera is a pinhole"},
         {"traced primary rays", need.tracedPrimary,
          !rasterizes                           ? "the backend does not rasterize"
          : settings.primary == Primary::traced ? "asked for"
+         : need.lens                           ? "the lens has an aperture"
                                                : "direct visibility is rasterized"},
         {"G[k-1]", need.previousPoint,
-         need.previousPoint ? "asked for" : "every surface is diffuse"},
+         need.previousPoint ? "asked for" : "the rays say from where their hits are seen"},
     };
 }
 

@@ -12,15 +12,21 @@ namespace dirt {
 /// from this and from nothing else. Emission, background, textures and normals choose between
 /// shaders; the passes on the host look at the scene itself.
 struct Requirements {
-    bool light = false;           ///< a spotlight: shadow rays, visibility
-    bool emission = false;        ///< surfaces that shine
-    bool background = false;      ///< radiance where nothing is hit
-    bool diffuseTextures = false; ///< reflectance from a map_Kd
-    bool shadingNormals = false;  ///< interpolated normals
-    bool indirect = false;        ///< more than direct light: rays, hits, mask, G[k]
-    bool tracedPrimary = false;   ///< rays and hits for the first surface, too
-    bool previousPoint = false;   ///< G[k-1]: for inspection alone, as Lambert's lobe is the same
-                                  ///< from all sides
+    bool light = false;               ///< a spotlight: shadow rays, visibility
+    bool emission = false;            ///< surfaces that shine
+    bool background = false;          ///< radiance where nothing is hit
+    bool diffuseTextures = false;     ///< reflectance from a map_Kd
+    bool emissionTextures = false;    ///< radiance from a map_Ke
+    bool gloss = false;               ///< microfacets: the direction to the viewer matters
+    bool reflectanceTextures = false; ///< reflectance of microfacets from a map_Ks
+    bool bumps = false;               ///< normals from heights
+    bool cutOuts = false;             ///< surfaces with holes: candidates for a hit are looked up
+    bool shadingNormals = false;      ///< interpolated normals
+    bool indirect = false;            ///< more than direct light: rays, hits, mask, G[k]
+    bool lens = false;                ///< an aperture: primary rays differ by where they pass it
+    bool tracedPrimary = false;       ///< rays and hits for the first surface, too
+    bool previousPoint = false;       ///< G[k-1]: for inspection alone, as the rays say from where
+                                      ///< their hit is seen
 };
 
 /// \p rasterizes says whether the backend can rasterize direct visibility.

@@ -30,12 +30,18 @@ enum class Primary { raster, traced };
 /// primitive id.
 enum class Fetch { raster, direct };
 
+/// What indirect rays take every surface for, to look at: itself; Lambert's; a metal of roughness
+/// 0.1; a mirror; or nothing, where the image shows the part of a cosine hemisphere that is open.
+enum class RayType { normal, diffuse, glossy, specular, visibility };
+
 /// The choices that shape the image, and two that only change how it is found.
 struct RenderSettings {
     GridSettings grid;
     int samples = 16; ///< per pixel
     int bounces = 3;  ///< 1: direct light only
     uint32_t seed = 0;
+    RayType rayType = RayType::normal;
+    bool roulette = true; ///< paths beyond three bounces go on by chance
     Primary primary = Primary::raster;
     Fetch fetch = Fetch::raster;
 

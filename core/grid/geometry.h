@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene/cut_outs.h"
 #include "core/scene/scene.h"
 
 #include <cstdint>
@@ -39,6 +40,17 @@ struct GridFrame {
 struct FrameGeometry {
     GridFrame frame;
     std::vector<Triangle> triangles; ///< the triangle buffer; the index is the primitive id
+    /// The scene whose materials cut holes, alive while rays are cast; null: there are none.
+    const Scene* cutOuts = nullptr;
+
+    /// Whether no part of \p primitive is cut out.
+    bool isWhole(uint32_t primitive) const {
+        return !cutOuts || !cutOuts->materials[cutOuts->mesh.materials[primitive]].hasCutOuts();
+    }
+    /// Whether a ray that meets \p primitive at barycentric weights (\p u, \p v) hits it.
+    bool holds(uint32_t primitive, float u, float v) const {
+        return !cutOuts || isThere(*cutOuts, primitive, u, v);
+    }
 };
 
 /// Camera basis in world space: right, down, forward; computed in double, rounded once.

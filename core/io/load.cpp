@@ -45,6 +45,7 @@ void loadSceneFile(const fs::path& file, SceneBuilder& builder, LoadReport& repo
     Scene& scene = loaded.scene;
     scene.camera = source.camera;
     scene.background = source.background;
+    scene.microfacetModel = source.microfacetModel;
     scene.toneMapping = source.toneMapping;
     if (source.light) scene.lights.push_back(*source.light);
     loaded.settings = source.settings;

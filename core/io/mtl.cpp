@@ -56,15 +56,55 @@ private:
             materials_.back().material.name = printable(arguments);
             return;
         }
-        const bool known = key == "Kd" || key == "Ke" || key == "map_Kd";
-        if (!known || materials_.empty()) return report_.ignore("MTL " + std::string(key));
+        if (materials_.empty() || (!value(key, arguments) && !map(key, arguments)))
+            report_.ignore("MTL " + std::string(key));
+    }
+
+    /// False if the key is none of a value.
+    bool value(std::string_view key, std::string_view arguments) {
+        Material& material = materials_.back().material;
+        if (key == "Kd")
+            material.diffuse = colour(key, arguments);
+        else if (key == "Ke")
+            material.emission = colour(key, arguments);
+        else if (key == "Ks")
+            material.reflectance = std::min(colour(key, arguments).x, 1.0f);
+        else if (key == "Ns")
+            material.roughness = 1.0f - std::min(number(key, arguments), 127.0f) / 127.0f;
+        else if (key == "d")
+            material.opacity = std::min(number(key, arguments), 1.0f);
+        else if (key == "metallic")
+            material.metallic = std::min(number(key, arguments), 1.0f);
+        else
+            return false;
+        return true;
+    }
+
+    /// False if the key is none of a texture.
+    bool map(std::string_view key, std::string_view arguments) {
         MtlMaterial& target = materials_.back();
-        if (key == "Kd") target.material.diffuse = colour(key, arguments);
-        if (key == "Ke") target.material.emission = colour(key, arguments);
-        if (key == "map_Kd") {
-            target.diffuseMap = fileName(arguments);
-            target.diffuseMapLine = line_;
-        }
+        MtlMaterial::Map* const map = key == "map_Kd"   ? &target.diffuse
+                                      : key == "map_Ke" ? &target.emission
+                                      : key == "map_Ks" ? &target.reflectance
+                                      : key == "map_d"  ? &target.opacity
+                                      : key == "map_bump" || key == "map_Bump" || key == "bump"
+                                          ? &target.bump
+                                          : nullptr;
+        if (!map) return false;
+        *map = {fileName(key, arguments), line_};
+        return true;
+    }
+
+    /// A number at the arguments' begin.
+    float number(std::string_view key, std::string_view arguments) const {
+        std::string_view word = takeWord(arguments);
+        if (word == "-halo") word = takeWord(arguments);
+        const auto value = parseNumber(word);
+        if (!value)
+            failAt(file_, line_, "malformed number " + inQuotes(word) + " in " + std::string(key));
+        if (!fitsFloat(*value) || *value < 0.0)
+            failAt(file_, line_, std::string(key) + " must be finite and not negative");
+        return (float) *value;
     }
 
     /// Three numbers, or one for all three.
@@ -88,14 +128,17 @@ private:
     }
 
     /// The rest of a texture statement after its options. It may hold blanks.
-    std::string fileName(std::string_view arguments) {
+    std::string fileName(std::string_view key, std::string_view arguments) {
         for (;;) {
             std::string_view rest = arguments;
             const std::string_view word = takeWord(rest);
             const auto option = std::find_if(kMapOptions.begin(), kMapOptions.end(),
                                              [&](const MapOption& o) { return o.name == word; });
             if (option == kMapOptions.end()) return std::string(trimmed(arguments));
-            report_.ignore("MTL map_Kd " + std::string(word));
+            if (word == "-bm" && key.ends_with("ump"))
+                bumpScale(key, rest);
+            else
+                report_.ignore("MTL " + std::string(key) + " " + std::string(word));
             for (int i = 0; i < option->most; ++i) {
                 std::string_view after = rest;
                 const std::string_view value = takeWord(after);
@@ -104,6 +147,16 @@ private:
             }
             arguments = rest;
         }
+    }
+
+    /// -bm may turn heights over.
+    void bumpScale(std::string_view key, std::string_view arguments) {
+        const std::string_view word = takeWord(arguments);
+        const auto value = parseNumber(word);
+        if (!value || !fitsFloat(*value))
+            failAt(file_, line_,
+                   "malformed number " + inQuotes(word) + " in " + std::string(key) + " -bm");
+        materials_.back().material.bumpScale = (float) *value;
     }
 
     const std::filesystem::path& file_;

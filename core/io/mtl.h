@@ -10,17 +10,27 @@
 
 namespace dirt {
 
-/// One `newmtl` of an MTL file; its texture is not loaded yet.
+/// One `newmtl` of an MTL file; its textures are not loaded yet.
 struct MtlMaterial {
+    /// A texture statement.
+    struct Map {
+        std::string file; ///< as written; empty: none
+        size_t line = 0;
+    };
+
     std::string name; ///< as in the file, without blanks around it; may be empty
     Material material;
-    std::string diffuseMap; ///< file name of map_Kd as written; empty: none
-    size_t diffuseMapLine = 0;
+    Map diffuse;     ///< map_Kd
+    Map emission;    ///< map_Ke
+    Map reflectance; ///< map_Ks
+    Map opacity;     ///< map_d
+    Map bump;        ///< map_bump or bump
 };
 
-/// Reads an MTL file: newmtl, Kd, Ke and map_Kd. Other keys, and map_Kd's options, are reported as
-/// ignored. Throws InputError where the file cannot be read or a colour is malformed, negative or
-/// not finite.
+/// Reads an MTL file: newmtl, Kd, Ke, Ks, Ns, d, metallic, their maps, and map_bump. Other keys,
+/// and the maps' options but bump's -bm, are reported as ignored. Throws InputError where the file
+/// cannot be read or a number is malformed, negative or not finite. Reflectance, metallic and
+/// opacity beyond 1, and gloss beyond 127, are taken for these.
 std::vector<MtlMaterial> readMtl(const std::filesystem::path& file, LoadReport& report);
 
 } // namespace dirt

@@ -91,36 +91,62 @@ uint32_t SceneBuilder::addMaterial(const fs::path& library, const MtlMaterial& s
         materials_.try_emplace({library.string(), source.name}, (uint32_t) scene_.materials.size());
     if (!isNew) return entry->second;
     Material material = source.material;
-    if (!source.diffuseMap.empty()) {
-        material.diffuseMap = loadTexture(library, source);
-        // Kd says nothing of what the texture would have shown; often it is black.
-        if (material.diffuseMap == kNoTexture) material.diffuse = Material().diffuse;
-    }
+    material.diffuseMap = loadTexture(library, source.diffuse);
+    // Kd says nothing of what the texture would have shown; often it is black.
+    if (!source.diffuse.file.empty() && material.diffuseMap == kNoTexture)
+        material.diffuse = Material().diffuse;
+    material.emissionMap = loadTexture(library, source.emission);
+    material.reflectanceMap = loadScalars(library, source.reflectance);
+    material.bumpMap = loadScalars(library, source.bump);
+    material.opacityMap = loadOpacity(library, source);
     scene_.materials.push_back(std::move(material));
     return entry->second;
 }
 
-uint32_t SceneBuilder::loadTexture(const fs::path& library, const MtlMaterial& source) {
+template <typename T, typename Read>
+uint32_t SceneBuilder::loadMap(const fs::path& library, const MtlMaterial::Map& map,
+                               const char* what, std::vector<T>& textures, const Read& read) {
+    if (map.file.empty()) return kNoTexture;
     const fs::path folder = library.parent_path();
-    const std::optional<fs::path> file = findFile(folder, source.diffuseMap);
-    const std::string key = file ? file->string() : (folder / source.diffuseMap).string();
-    const auto [entry, isNew] = textures_.try_emplace(key, kNoTexture);
+    const std::optional<fs::path> file = findFile(folder, map.file);
+    const std::string key = file ? file->string() : (folder / map.file).string();
+    const auto [entry, isNew] = textures_.try_emplace({key, what}, kNoTexture);
     if (!isNew) return entry->second;
 
-    const std::string name = "texture " + inQuotes(source.diffuseMap);
+    const std::string name = "texture " + inQuotes(map.file);
     if (!file) {
-        report_.warn(WarningKind::unusableTexture, library, source.diffuseMapLine,
-                     name + " not found");
+        report_.warn(WarningKind::unusableTexture, library, map.line, name + " not found");
         return kNoTexture;
     }
     try {
-        scene_.textures.push_back(readTexture(*file));
-        entry->second = (uint32_t) scene_.textures.size() - 1;
+        std::optional<T> texture = read(*file);
+        if (!texture) return kNoTexture;
+        textures.push_back(std::move(*texture));
+        entry->second = (uint32_t) textures.size() - 1;
     } catch (const InputError& error) {
-        report_.warn(WarningKind::unusableTexture, library, source.diffuseMapLine,
-                     name + ": " + error.what());
+        report_.warn(WarningKind::unusableTexture, library, map.line, name + ": " + error.what());
     }
     return entry->second;
+}
+
+uint32_t SceneBuilder::loadTexture(const fs::path& library, const MtlMaterial::Map& map) {
+    return loadMap(library, map, "colour", scene_.textures,
+                   [](const fs::path& file) { return std::optional(readTexture(file)); });
+}
+
+uint32_t SceneBuilder::loadScalars(const fs::path& library, const MtlMaterial::Map& map) {
+    return loadMap(library, map, "data", scene_.scalarTextures,
+                   [](const fs::path& file) { return std::optional(readScalarTexture(file)); });
+}
+
+/// The alpha of map_d, else map_d itself; without one, the alpha of map_Kd.
+uint32_t SceneBuilder::loadOpacity(const fs::path& library, const MtlMaterial& source) {
+    const auto loadAlpha = [&](const MtlMaterial::Map& map) {
+        return loadMap(library, map, "alpha", scene_.scalarTextures, readAlpha);
+    };
+    if (source.opacity.file.empty()) return loadAlpha(source.diffuse);
+    const uint32_t alpha = loadAlpha(source.opacity);
+    return alpha != kNoTexture ? alpha : loadScalars(library, source.opacity);
 }
 
 } // namespace dirt

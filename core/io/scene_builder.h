@@ -37,13 +37,20 @@ private:
     std::vector<uint32_t> resolveMaterials(const ObjFile& obj);
     uint32_t addMaterial(const std::filesystem::path& library, const MtlMaterial& source);
     uint32_t neutralMaterial(const std::string& name);
-    uint32_t loadTexture(const std::filesystem::path& library, const MtlMaterial& source);
+    /// Index of the texture that \p map names, as \p read has it; kNoTexture where there is none.
+    template <typename T, typename Read>
+    uint32_t loadMap(const std::filesystem::path& library, const MtlMaterial::Map& map,
+                     const char* what, std::vector<T>& textures, const Read& read);
+    uint32_t loadTexture(const std::filesystem::path& library, const MtlMaterial::Map& map);
+    uint32_t loadScalars(const std::filesystem::path& library, const MtlMaterial::Map& map);
+    uint32_t loadOpacity(const std::filesystem::path& library, const MtlMaterial& source);
 
     Scene& scene_;
     LoadReport& report_;
     /// By MTL file and name; without a file: the stand-ins.
     std::map<std::pair<std::string, std::string>, uint32_t> materials_;
-    std::map<std::string, uint32_t> textures_; ///< by path; kNoTexture: could not be read
+    /// By path and what is read of it; kNoTexture: could not be read, or is not there.
+    std::map<std::pair<std::string, std::string>, uint32_t> textures_;
 };
 
 } // namespace dirt

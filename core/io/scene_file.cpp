@@ -18,11 +18,15 @@ namespace {
 constexpr SceneAttribute kHonoured[] = {
     {"world", "background"},
     {"world", "fps"},
+    {"world", "microfacet_model"},
     {"directory", "path"},
     {"tracing", "faces"},
     {"tracing", "block_size"},
     {"tracing", "buckets"},
     {"tracing", "indirect_bounces"},
+    {"tracing", "dof"},
+    {"tracing", "aperture_radius"},
+    {"tracing", "focal_distance"},
     {"camera", "aperture"},
     {"user", "position"},
     {"user", "lookat"},
@@ -70,11 +74,23 @@ public:
         const XmlAttributes attributes = attributesOf(root);
         scene_.background = attributes.colour("background").value_or(scene_.background);
         scene_.animation.fps = attributes.real("fps", 0.001, 1e5).value_or(scene_.animation.fps);
+        microfacetModel(attributes, root);
         for (const pugi::xml_node child : root.children()) worldChild(child);
         return std::move(scene_);
     }
 
 private:
+    void microfacetModel(const XmlAttributes& attributes, pugi::xml_node root) {
+        const auto name = attributes.text("microfacet_model");
+        if (!name) return;
+        constexpr std::string_view kNames[] = {"beckmann", "ggx", "cooktorrance", "phong"};
+        const auto* const found = std::find(std::begin(kNames), std::end(kNames), *name);
+        if (found == std::end(kNames))
+            xml_.fail(root, "microfacet_model=" + inQuotes(*name) +
+                                " is none of beckmann, ggx, cooktorrance, phong");
+        scene_.microfacetModel = (MicrofacetModel) (found - std::begin(kNames));
+    }
+
     void worldChild(pugi::xml_node node) {
         const std::string_view name = node.name();
         if (name == "directory")
@@ -128,6 +144,13 @@ private:
         settings.bins = attributes.integer("buckets", 1, 256);
         if (const auto bounces = attributes.integer("indirect_bounces", 0, 1023))
             settings.bounces = *bounces + 1;
+        if (attributes.boolean("dof").value_or(true)) {
+            Camera& camera = scene_.camera;
+            camera.apertureRadius =
+                attributes.number("aperture_radius", 0.0, 1e30).value_or(camera.apertureRadius);
+            camera.focalDistance =
+                attributes.number("focal_distance", 1e-30, 1e30).value_or(camera.focalDistance);
+        }
         if (const auto faces = attributes.text("faces")) {
             if (*faces != "cubemap" && *faces != "single")
                 xml_.fail(node, "faces=" + inQuotes(*faces) + " is neither cubemap nor single");

@@ -41,6 +41,7 @@ struct SceneFile {
     bool hasCamera = false; ///< whether the file says where the camera stands
     std::optional<Spotlight> light;
     glm::vec3 background{0.0f};
+    MicrofacetModel microfacetModel = MicrofacetModel::beckmann;
     ToneMapping toneMapping;
     Animation animation; ///< without parts
     SceneSettings settings;

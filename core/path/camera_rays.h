@@ -19,10 +19,13 @@ glm::vec2 subPixelOffset(uint32_t sample, uint32_t seed);
 /// full mode it is the same direction on world axes, not of unit length.
 class CameraRays {
 public:
-    CameraRays(const Camera& camera, int width, int height, ViewMode mode);
+    /// \p scale: the grid frame's, which the lens needs.
+    CameraRays(const Camera& camera, int width, int height, ViewMode mode, float scale = 1.0f);
 
     /// Ray through the point (\p x, \p y) of the image plane, in pixels.
     Ray through(float x, float y) const;
+    /// The same through the point of the lens that \p u and \p v of [0, 1) choose.
+    Ray through(float x, float y, float u, float v) const;
 
     const ImagePlane& plane() const { return plane_; }
 

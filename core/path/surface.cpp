@@ -1,39 +1,23 @@
 #include "core/path/surface.h"
 
+#include "core/scene/attributes.h"
+#include "shaders/shared/glossy_reflection.h"
 #include "shaders/shared/surface.h"
-
-#include <vector>
 
 namespace dirt {
 
 namespace {
 
-bool present(const Corners& corners) {
-    return corners[0] != kNoIndex && corners[1] != kNoIndex && corners[2] != kNoIndex;
-}
-
-template <typename Vector>
-Vector interpolateAt(const SurfacePoint& point, const std::vector<Vector>& values,
-                     const Corners& corners) {
-    return interpolate(values[corners[0]], values[corners[1]], values[corners[2]], point.u,
-                       point.v);
-}
-
-glm::vec3 shadingNormal(const Scene& scene, const GridFrame& frame, const SurfacePoint& point) {
-    if (scene.mesh.normals.empty()) return point.geometricNormal;
-    const Corners& corners = scene.mesh.normalIndices[point.primitive];
-    if (!present(corners)) return point.geometricNormal;
-    const glm::vec3 normal = interpolateAt(point, scene.mesh.normals, corners);
-    return shadingNormalFrom(frame.directionToGrid(normal), point.geometricNormal);
-}
-
-glm::vec3 diffuseReflectance(const Scene& scene, const Material& material,
-                             const SurfacePoint& point) {
-    if (material.diffuseMap == kNoTexture || scene.mesh.texcoords.empty()) return material.diffuse;
-    const Corners& corners = scene.mesh.texcoordIndices[point.primitive];
-    if (!present(corners)) return material.diffuse;
-    return scene.textures[material.diffuseMap].sample(
-        interpolateAt(point, scene.mesh.texcoords, corners));
+/// \p normal, turned by the material's heights.
+glm::vec3 bumped(const Scene& scene, const Material& material, const Triangle& triangle,
+                 uint32_t primitive, glm::vec2 texcoord, glm::vec3 normal) {
+    const glm::vec2 slopes =
+        scene.scalarTextures[material.bumpMap].slopes(texcoord) * material.bumpScale;
+    const auto& texcoords = scene.mesh.texcoords;
+    const Corners& corners = scene.mesh.texcoordIndices[primitive];
+    const glm::vec2 a = texcoords[corners[0]];
+    return bumpedNormal(normal, triangle.b - triangle.a, triangle.c - triangle.a,
+                        texcoords[corners[1]] - a, texcoords[corners[2]] - a, slopes);
 }
 
 } // namespace
@@ -41,17 +25,47 @@ glm::vec3 diffuseReflectance(const Scene& scene, const Material& material,
 SurfacePoint fetchSurface(const Scene& scene, const FrameGeometry& geometry, glm::vec3 direction,
                           uint32_t primitive, float u, float v) {
     const Triangle& triangle = geometry.triangles[primitive];
-    const Material& material = scene.materials[scene.mesh.materials[primitive]];
+    const Mesh& mesh = scene.mesh;
+    const Material& material = scene.materials[mesh.materials[primitive]];
 
     SurfacePoint point;
     point.primitive = primitive;
     point.u = u;
     point.v = v;
     point.position = interpolate(triangle.a, triangle.b, triangle.c, u, v);
-    point.geometricNormal = facing(triangleNormal(triangle.a, triangle.b, triangle.c), -direction);
-    point.shadingNormal = shadingNormal(scene, geometry.frame, point);
-    point.diffuse = diffuseReflectance(scene, material, point);
+    const glm::vec3 outward = triangleNormal(triangle.a, triangle.b, triangle.c);
+    point.geometricNormal = facing(outward, -direction);
+    point.shadingNormal = point.geometricNormal;
+    const bool smooth = !mesh.normals.empty() && isPresent(mesh.normalIndices[primitive]);
+    glm::vec3 normal = outward;
+    if (smooth) {
+        normal = geometry.frame.directionToGrid(
+            interpolateAt(mesh.normals, mesh.normalIndices[primitive], u, v));
+        point.shadingNormal = shadingNormalFrom(normal, point.geometricNormal);
+    }
+    point.diffuse = material.diffuse;
     point.emission = material.emission;
+    float reflectance = material.reflectance;
+    if (material.isTextured()) {
+        if (const auto texcoord = texcoordAt(mesh, primitive, u, v)) {
+            if (material.diffuseMap != kNoTexture)
+                point.diffuse = scene.textures[material.diffuseMap].sample(*texcoord);
+            if (material.emissionMap != kNoTexture)
+                point.emission *= scene.textures[material.emissionMap].sample(*texcoord);
+            if (material.reflectanceMap != kNoTexture)
+                reflectance *= scene.scalarTextures[material.reflectanceMap].sample(*texcoord);
+            if (material.bumpMap != kNoTexture) {
+                // Heights rise on the side of the surface's own normal, whichever is seen.
+                const glm::vec3 base = shadingNormalFrom(normal, normal);
+                normal = bumped(scene, material, triangle, primitive, *texcoord, base);
+                point.shadingNormal = shadingNormalFrom(normal, point.geometricNormal);
+            }
+        }
+    }
+    if (reflectance > 0.0f) {
+        point.roughness = material.roughness;
+        point.gloss = packGloss(reflectance < 1.0f ? reflectance : 1.0f, material.metallic);
+    }
     return point;
 }
 

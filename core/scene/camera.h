@@ -9,7 +9,9 @@ struct Camera {
     glm::vec3 eye{0.0f};
     glm::vec3 target{0.0f, 0.0f, -1.0f};
     glm::vec3 up{0.0f, 1.0f, 0.0f};
-    float verticalFov = 45.0f; ///< degrees
+    float verticalFov = 45.0f;   ///< degrees
+    float apertureRadius = 0.0f; ///< of a thin lens at the eye; 0: a pinhole
+    float focalDistance = 1.0f;  ///< of the plane, at right angles to the view, that is in focus
 };
 
 /// Display encoding: with V the value of HSV,

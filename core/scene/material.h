@@ -15,9 +15,29 @@ inline constexpr uint32_t kNoTexture = 0xffffffffu;
 /// Surface description, as far as the light transport uses it.
 struct Material {
     std::string name;
-    glm::vec3 diffuse{0.8f};          ///< Kd, linear Rec.709
-    glm::vec3 emission{0.0f};         ///< Ke, radiance
-    uint32_t diffuseMap = kNoTexture; ///< map_Kd; multiplies nothing: it replaces Kd where present
+    glm::vec3 diffuse{0.8f};  ///< Kd, linear Rec.709
+    glm::vec3 emission{0.0f}; ///< Ke, radiance
+    float reflectance = 0.0f; ///< Ks, its first component, in [0, 1]; 0: no microfacets
+    float metallic = 0.0f;    ///< in [0, 1]
+    float roughness = 1.0f;   ///< 1 - Ns / 127, the width of the microfacets' distribution
+    float opacity = 1.0f;     ///< d; below 0.5 the surface is not there
+    float bumpScale = 1.0f;   ///< -bm of map_bump
+
+    // In Scene::textures.
+    uint32_t diffuseMap = kNoTexture;  ///< map_Kd; multiplies nothing: it replaces Kd where present
+    uint32_t emissionMap = kNoTexture; ///< map_Ke, times Ke
+
+    // In Scene::scalarTextures.
+    uint32_t reflectanceMap = kNoTexture; ///< map_Ks, times Ks
+    uint32_t bumpMap = kNoTexture;        ///< map_bump: heights; 1 is as high as a texel is wide
+    uint32_t opacityMap = kNoTexture;     ///< map_d, else the alpha of map_Kd, times d
+
+    /// Whether Fetch needs texture coordinates.
+    bool isTextured() const {
+        return (diffuseMap & emissionMap & reflectanceMap & bumpMap) != kNoTexture;
+    }
+    /// Whether parts of the surface are not there.
+    bool hasCutOuts() const { return opacityMap != kNoTexture || opacity < 0.5f; }
 };
 
 } // namespace dirt

@@ -4,6 +4,7 @@
 #include "core/scene/camera.h"
 #include "core/scene/light.h"
 #include "core/scene/material.h"
+#include "core/scene/scalar_texture.h"
 
 #include <array>
 #include <cstdint>
@@ -32,12 +33,17 @@ struct Mesh {
     std::vector<uint32_t> materials;      ///< per triangle, into Scene::materials
 };
 
+/// Of all glossy surfaces of a scene; the values of shaders/shared/microfacet.h.
+enum class MicrofacetModel : uint32_t { beckmann, ggx, cooktorrance, phong };
+
 /// What a renderer needs of one scene.
 struct Scene {
     std::string name; ///< file name without folder and extension
     Mesh mesh;
     std::vector<Material> materials; ///< never empty
     std::vector<Texture> textures;
+    std::vector<ScalarTexture> scalarTextures;
+    MicrofacetModel microfacetModel = MicrofacetModel::beckmann;
     std::vector<Spotlight> lights; ///< none or one
     Camera camera;
     glm::vec3 background{0.0f}; ///< radiance of rays that miss

@@ -142,7 +142,7 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
         if (filter.certainlyMisses(triangle) || !intersect(ray, triangle, candidate)) return false;
         if (best.primitive == id) return true;
         if (!isNearer(candidate, id, best) || !seen.holds(candidate.t) ||
-            isSkipped(geometry, ray, id))
+            isSkipped(geometry, ray, id) || !geometry.holds(id, candidate.u, candidate.v))
             return false;
         best = {id, candidate.t, candidate.u, candidate.v, 0, 0};
         limit = upperBound(candidate.t);
@@ -194,7 +194,8 @@ bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given, f
         const Triangle& triangle = geometry.triangles[id];
         TriangleHit candidate;
         if (!filter.certainlyMisses(triangle) && intersect(ray, triangle, candidate) &&
-            candidate.t < maxT && seen.holds(candidate.t) && !isSkipped(geometry, ray, id)) {
+            candidate.t < maxT && seen.holds(candidate.t) && !isSkipped(geometry, ray, id) &&
+            geometry.holds(id, candidate.u, candidate.v)) {
             found = true;
             limit = -1.0; // ends the walk
         }
@@ -236,7 +237,7 @@ Hit closestHitBruteForce(const FrameGeometry& geometry, const Ray& given) {
     for (uint32_t id = 0; id < geometry.triangles.size(); ++id) {
         TriangleHit candidate;
         if (intersect(ray, geometry.triangles[id], candidate) && isNearer(candidate, id, best) &&
-            !isSkipped(geometry, ray, id))
+            !isSkipped(geometry, ray, id) && geometry.holds(id, candidate.u, candidate.v))
             best = {id, candidate.t, candidate.u, candidate.v, 0, 0};
     }
     return best;

@@ -45,6 +45,12 @@ bool Judge::skipped(const Ray& ray, uint32_t primitive) const {
                                         sortedVertices(geometry_.triangles[ray.skip]);
 }
 
+bool Judge::inHole(const Ray& ray, uint32_t primitive) const {
+    TriangleHit hit;
+    return geometry_.cutOuts && intersect(ray, geometry_.triangles[primitive], hit) &&
+           !geometry_.holds(primitive, hit.u, hit.v);
+}
+
 Verdict Judge::nearest(const Ray& ray) const {
     if (!isOrdinary(ray)) return {};
     std::vector<uint32_t> candidates;
@@ -75,7 +81,7 @@ Verdict Judge::decide(const Ray& ray, std::span<const uint32_t> candidates) cons
     for (const Survivor& survivor : survivors) {
         // verdict.t may be too small by its rounding; nothing that ties may be left out.
         if (verdict.found() && survivor.tLow > verdict.t * (1.0 + 0x1p-49)) break;
-        if (skipped(ray, survivor.primitive)) continue;
+        if (skipped(ray, survivor.primitive) || inHole(ray, survivor.primitive)) continue;
         const auto t = intersectExactly(ray, geometry_.triangles[survivor.primitive]);
         if (!t || (verdict.found() && nearest < *t)) continue;
         if (!verdict.found() || *t < nearest) {
@@ -92,7 +98,8 @@ Verdict Judge::decide(const Ray& ray, std::span<const uint32_t> candidates) cons
 Judgement Judge::judge(const Ray& ray, const Verdict& truth, const Hit& hit) const {
     if (!hit.found()) return {truth.found() ? Grade::missed : Grade::right, 0.0};
     if (!truth.found()) return {Grade::falseHit, 0.0};
-    if (hit.primitive >= geometry_.triangles.size() || skipped(ray, hit.primitive))
+    if (hit.primitive >= geometry_.triangles.size() || skipped(ray, hit.primitive) ||
+        inHole(ray, hit.primitive))
         return {Grade::wrongPrimitive, 0.0};
     const auto t = intersectExactly(ray, geometry_.triangles[hit.primitive]);
     if (!t) return {Grade::wrongPrimitive, 0.0};

@@ -38,7 +38,8 @@ struct Judgement {
 /// most, and what is left is decided with big integers. Safe to use from several threads.
 ///
 /// A ray that starts on a primitive (Ray::skip) hits neither that nor any with the same vertices.
-/// A ray with a NaN or an infinity, or without direction, hits nothing.
+/// A ray with a NaN or an infinity, or without direction, hits nothing. Where the geometry has
+/// holes, they are looked up by the barycentric weights of core's test.
 class Judge {
 public:
     /// \p geometry must outlive the judge and stay unchanged.
@@ -53,6 +54,7 @@ public:
 
 private:
     bool skipped(const Ray& ray, uint32_t primitive) const;
+    bool inHole(const Ray& ray, uint32_t primitive) const;
     Verdict decide(const Ray& ray, std::span<const uint32_t> candidates) const;
 
     const FrameGeometry& geometry_;

@@ -4,11 +4,17 @@
 
 #include "shaders/shared/bsdf.h"
 #include "shaders/shared/reflection.h"
+#include "shaders/shared/surface.h"
 
 DIRT_SHARED_BEGIN
 
 /// The least cosine between the normal of the microfacets and the direction to the viewer.
 const float kLeastCosine = 0.0009765625f; // 2^-10
+
+/// Direction from a point of the grid frame to the eye, which is its origin.
+DIRT_FUNCTION vec3 directionToEye(vec3 position) {
+    return directionOf(-position);
+}
 
 /// SurfacePoint::gloss: reflectance and metallic, of [0, 1], as multiples of 1/65535.
 DIRT_FUNCTION uint packGloss(float reflectance, float metallic) {
@@ -36,6 +42,24 @@ DIRT_FUNCTION vec3 normalSeenFrom(SurfacePoint point, vec3 v) {
     // Both lie on one side of the surface, so the sum vanishes at its horizon only.
     if (!(dotProduct(tilted, tilted) > 1e-12f)) return point.geometricNormal;
     return unitVector(tilted);
+}
+
+/// What indirect rays take every surface for; the values of RayType.
+const uint kRaysDiffuse = 1u;
+const uint kRaysGlossy = 2u;
+const uint kRaysSpecular = 3u;
+const uint kRaysVisibility = 4u;
+
+DIRT_FUNCTION SurfacePoint takenFor(uint rayType, SurfacePoint point) {
+    if (rayType == 0u) return point;
+    SurfacePoint other = point;
+    other.gloss = 0u;
+    if (rayType == kRaysVisibility) other.diffuse = vec3(1.0f);
+    if (rayType == kRaysGlossy || rayType == kRaysSpecular) {
+        other.gloss = packGloss(1.0f, 1.0f);
+        other.roughness = rayType == kRaysGlossy ? 0.1f : 0.0f;
+    }
+    return other;
 }
 
 /// A local frame and the direction to the viewer in it.

@@ -39,6 +39,16 @@ DIRT_FUNCTION Scattering scatter(SurfacePoint point, float u, float v) {
     return result;
 }
 
+/// Path events from this one on go on by roulette.
+const uint kFirstRouletteEvent = 3u;
+
+/// The chance of a path with \p throughput to go on; what it finds is divided by it.
+DIRT_FUNCTION float survivalChance(vec3 throughput) {
+    float largest = throughput.x > throughput.y ? throughput.x : throughput.y;
+    if (throughput.z > largest) largest = throughput.z;
+    return largest < 1.0f ? largest : 1.0f;
+}
+
 DIRT_SHARED_END
 
 #endif

@@ -44,6 +44,32 @@ DIRT_FUNCTION vec3 shadingNormalFrom(vec3 normal, vec3 geometric) {
     return facing(unitVector(normal), geometric);
 }
 
+/// \p v with unit length; zero where it is too short to have a direction.
+DIRT_FUNCTION vec3 directionOf(vec3 v) {
+    float largest = abs(v.x);
+    if (abs(v.y) > largest) largest = abs(v.y);
+    if (abs(v.z) > largest) largest = abs(v.z);
+    if (!(largest > 1e-30f)) return vec3(0.0f);
+    DIRT_PRECISE vec3 scaled = v / largest;
+    return unitVector(scaled);
+}
+
+/// The unit vector \p normal of a triangle with edges \p e and \p f, turned as J. Blinn has it by
+/// heights that grow by \p slopes along the texture's u and v, per length along the surface;
+/// \p de and \p df are the texture coordinates' differences along the edges.
+DIRT_FUNCTION vec3 bumpedNormal(vec3 normal, vec3 e, vec3 f, vec2 de, vec2 df, vec2 slopes) {
+    DIRT_PRECISE float area = de.x * df.y - df.x * de.y;
+    if (area == 0.0f) return normal;
+    float side = area > 0.0f ? 1.0f : -1.0f;
+    DIRT_PRECISE vec3 alongU = (e * df.y - f * de.y) * side;
+    DIRT_PRECISE vec3 alongV = (f * de.x - e * df.x) * side;
+    DIRT_PRECISE vec3 inPlaneU = alongU - normal * dotProduct(normal, alongU);
+    DIRT_PRECISE vec3 inPlaneV = alongV - normal * dotProduct(normal, alongV);
+    DIRT_PRECISE vec3 turned =
+        normal - directionOf(inPlaneU) * slopes.x - directionOf(inPlaneV) * slopes.y;
+    return directionOf(turned);
+}
+
 DIRT_SHARED_END
 
 #endif

@@ -30,6 +30,12 @@ DIRT_FUNCTION TexelPair texelsAround(float position, int size) {
 }
 
 /// \p a by 1 - \p weight and \p b by \p weight.
+DIRT_FUNCTION float blend(float a, float b, float weight) {
+    DIRT_PRECISE float value = (1.0f - weight) * a + weight * b;
+    return value;
+}
+
+/// \p a by 1 - \p weight and \p b by \p weight.
 DIRT_FUNCTION vec3 blend(vec3 a, vec3 b, float weight) {
     DIRT_PRECISE vec3 value = (1.0f - weight) * a + weight * b;
     return value;

@@ -10,6 +10,7 @@
 #include "core/trace/intersect.h"
 #include "core/verify/judge.h"
 #include "tests/cross/recording_backend.h"
+#include "tests/support/golden_scenes.h"
 #include "tests/support/random.h"
 #include "tests/verify/places.h"
 
@@ -227,6 +228,24 @@ void lightUp(Scene& scene) {
     scene.background = glm::vec3(0.5f);
 }
 
+/// Renders on Embree, too, plain and robust, and compares.
+void compare(const Scene& scene, const RenderSettings& settings, Backend& cpu, Executor& pool) {
+    const Recorded ours = render(scene, settings, cpu, pool);
+    FrameGeometry geometry = makeFrameGeometry(scene.mesh, scene.camera, settings.grid.mode);
+    if (requirementsOf(scene, settings, true).cutOuts) geometry.cutOuts = &scene;
+    const Judge judge(geometry);
+    for (const bool robust : {false, true}) {
+        EmbreeBackend embree(pool, robust);
+        const Recorded theirs = render(scene, settings, embree, pool);
+        const Comparison comparison(judge, ours, theirs);
+        EXPECT_EQ(comparison.objections, std::vector<std::string>{});
+        std::cout << embree.name() << ": " << comparison.decided << " answers differ, of these "
+                  << comparison.ties << " ties; " << comparison.pixels << " of "
+                  << ours.result.image.pixels.size() << " pixels" << std::endl;
+    }
+}
+
+class CpuEmbreeGolden : public testing::TestWithParam<std::string> {};
 class CpuEmbree : public testing::TestWithParam<test::Place> {};
 
 } // namespace
@@ -237,19 +256,14 @@ TEST_P(CpuEmbree, SameBitsButWhereDecided) {
     if (scene->lights.empty()) lightUp(*scene);
     ThreadPool pool;
     CpuBackend cpu(pool);
-    const Recorded ours = render(*scene, settings(), cpu, pool);
-    const FrameGeometry geometry =
-        makeFrameGeometry(scene->mesh, scene->camera, settings().grid.mode);
-    const Judge judge(geometry);
-    for (const bool robust : {false, true}) {
-        EmbreeBackend embree(pool, robust);
-        const Recorded theirs = render(*scene, settings(), embree, pool);
-        const Comparison comparison(judge, ours, theirs);
-        EXPECT_EQ(comparison.objections, std::vector<std::string>{});
-        std::cout << embree.name() << ": " << comparison.decided << " answers differ, of these "
-                  << comparison.ties << " ties; " << comparison.pixels << " of "
-                  << ours.result.image.pixels.size() << " pixels" << std::endl;
-    }
+    compare(*scene, settings(), cpu, pool);
+}
+
+TEST_P(CpuEmbreeGolden, SameBitsButWhereDecided) {
+    const LoadedScene loaded = loadScene(test::goldenFolder() / "scenes" / (GetParam() + ".scene"));
+    ThreadPool pool;
+    CpuBackend cpu(pool);
+    compare(loaded.scene, test::goldenSettings(loaded, 2), cpu, pool);
 }
 
 TEST(CpuEmbreeComparison, ObjectsToWrongHitsOfOursAlone) {
@@ -289,6 +303,9 @@ TEST(CpuEmbreeComparison, ObjectsToWrongHitsOfOursAlone) {
     const Comparison against(judge, broken, sound);
     EXPECT_GT(against.objections.size(), 100u);
 }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, CpuEmbreeGolden, testing::ValuesIn(test::goldenScenes()),
+                         [](const auto& info) { return info.param; });
 
 INSTANTIATE_TEST_SUITE_P(Places, CpuEmbree, testing::ValuesIn([] {
                              const auto all = test::places();

@@ -16,6 +16,7 @@ RenderSettings settings(ViewMode mode, int bounces) {
     result.grid.height = 32;
     result.samples = 4;
     result.bounces = bounces;
+    result.roulette = false;
     return result;
 }
 
@@ -43,7 +44,7 @@ TEST(Furnace, ClosedBoxShowsTheGeometricSeries) {
     test::addSphere(scene.mesh, {0.3f, 0.2f, -1.4f}, 0.4f, 8, false, 0);
     scene.camera.eye = {0.1f, 0.2f, 0.3f};
     scene.background = glm::vec3(1000.0f); // would betray a leak
-    for (int bounces : {1, 2, 3, 8}) {
+    for (int bounces : {1, 2, 3, 8, 20}) {
         const Image image = render(scene, settings(ViewMode::full, bounces));
         for (const glm::vec3& pixel : image.pixels)
             for (int c = 0; c < 3; ++c) {
@@ -51,6 +52,85 @@ TEST(Furnace, ClosedBoxShowsTheGeometricSeries) {
                 ASSERT_NEAR(pixel[c] / exact, 1.0, kRounding) << bounces << " bounces";
             }
     }
+}
+
+TEST(Furnace, ClosedBoxApproachesItsLimit) {
+    // After 20 events 2^-20 of Le / (1 - rho) is missing, and less after more.
+    Scene scene;
+    scene.materials = {test::material(glm::vec3(0.5f), glm::vec3(3.0f))};
+    test::addBox(scene.mesh, {-1, -2, -3}, {2, 3, 1}, 0);
+    scene.camera.eye = {0.1f, 0.2f, 0.3f};
+    for (int bounces : {20, 30}) {
+        const Image image = render(scene, settings(ViewMode::full, bounces));
+        for (const glm::vec3& pixel : image.pixels) ASSERT_NEAR(pixel.x / 6.0, 1.0, kRounding);
+    }
+}
+
+TEST(Furnace, RouletteKeepsTheMean) {
+    Scene scene;
+    scene.materials = {test::material(glm::vec3(0.8f), glm::vec3(1.0f))};
+    test::addBox(scene.mesh, {-1, -2, -3}, {2, 3, 1}, 0);
+    scene.camera.eye = {0.1f, 0.2f, 0.3f};
+    RenderSettings withRoulette = settings(ViewMode::full, 24);
+    withRoulette.roulette = true;
+    const Image image = render(scene, withRoulette);
+    double sum = 0.0, squares = 0.0;
+    for (const glm::vec3& pixel : image.pixels) {
+        sum += pixel.x;
+        squares += (double) pixel.x * pixel.x;
+    }
+    const double n = (double) image.pixels.size(), mean = sum / n;
+    const double error = std::sqrt((squares / n - mean * mean) / n);
+    EXPECT_GT(error, 1e-3); // paths do end by chance
+    // The numbers are fixed: four standard errors say how far a right answer may be off.
+    EXPECT_NEAR(mean, furnaceRadiance(1.0, 0.8, 24), 4.0 * error);
+}
+
+TEST(Furnace, MirrorShowsTheSkyTimesFresnel) {
+    Scene scene;
+    Material metal = test::material({0.9f, 0.6f, 0.3f});
+    metal.reflectance = metal.metallic = 1.0f;
+    metal.roughness = 0.0f;
+    scene.materials = {metal};
+    test::addQuad(scene.mesh, {-5, 0, -5}, {10, 0, 0}, {0, 0, 10}, 0);
+    scene.camera.eye = {0, 3, 0.5f};
+    scene.camera.target = {0, 0, 0};
+    scene.background = glm::vec3(1.0f);
+    const Image image = render(scene, settings(ViewMode::full, 2));
+    // The centre's cosine is 6 / sqrt(37): F - F0 is (1 - F0) (1 - cos)^5, below 2e-10.
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(image.pixels[16 * 48 + 24][c], metal.diffuse[c], kRounding);
+}
+
+TEST(Furnace, NoSurfaceReflectsMoreThanTheSky) {
+    for (uint32_t model = 0; model < 4; ++model)
+        for (const float metallic : {0.0f, 1.0f}) {
+            Scene scene;
+            scene.microfacetModel = (MicrofacetModel) model;
+            Material white = test::material(glm::vec3(1.0f));
+            white.reflectance = metallic > 0.0f ? 1.0f : 0.3f;
+            white.metallic = metallic;
+            white.roughness = 0.3f;
+            scene.materials = {white};
+            // Interpolated normals turn away from the viewer at the rim.
+            test::addSphere(scene.mesh, glm::vec3(0.0f), 1.0f, 6, true, 0);
+            scene.camera.eye = {0, 0.5f, 3};
+            scene.camera.target = {0, 0, 0};
+            scene.background = glm::vec3(1.0f);
+            RenderSettings many = settings(ViewMode::full, 2);
+            many.samples = 64;
+            const Image image = render(scene, many);
+            double sum = 0.0, most = 0.0;
+            for (const glm::vec3& pixel : image.pixels) {
+                sum += pixel.x;
+                most = std::max(most, (double) pixel.x);
+                ASSERT_GE(pixel.x, 0.0f);
+            }
+            EXPECT_LE(sum, (double) image.pixels.size());
+            // A metal's weights are at most 1 each; where lobes are mixed they scatter around it.
+            EXPECT_LE(most, metallic > 0.0f ? 1.0 + kRounding : 1.25);
+            EXPECT_GT(sum, 0.8 * (double) image.pixels.size());
+        }
 }
 
 TEST(Furnace, ConvexBodyInAWhiteSkyShowsItsReflectance) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr uint kModels[] = {kBeckmann, kGgx, kCookTorrance, kPhong};
 constexpr float kWidths[] = {1.0f, 0.3f, 0.02f, kMirrorRoughness};
-constexpr float kCosines[] = {0.02f};
+constexpr float kCosines[] = {1.0f, 0.7f, 0.25f, 0.08f};
 
 /// Directions to draw: a million in the long form.
 uint drawn() {
