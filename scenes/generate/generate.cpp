@@ -6,6 +6,7 @@
 
 #include "scenes/generate/atrium.h"
 #include "scenes/generate/cornell.h"
+#include "scenes/generate/hangar.h"
 #include "scenes/generate/output.h"
 #include "scenes/generate/scene_text.h"
 
@@ -24,10 +25,25 @@ const std::vector<Generator>& table() {
     static const std::vector<Generator> all = {
         {{"atrium",
           "a court between two storeys of arcades, with banners, a fountain and lemon trees",
-          250'000, 1e4, 1e7},
+          250'000,
+          1e4,
+          1e7,
+          {"atrium"}},
          generate::makeAtrium},
-        {{"cornell", "the Cornell box with a lamp panel and a spotlight under it", 36, 36, 1e7},
+        {{"cornell",
+          "the Cornell box with a lamp panel and a spotlight under it",
+          36,
+          36,
+          1e7,
+          {"cornell"}},
          generate::makeCornell},
+        {{"hangar",
+          "an airliner of the 1930s in a steel hall lit by panels",
+          350'000,
+          9e4,
+          1e7,
+          {"hangar"}},
+         generate::makeHangar},
     };
     return all;
 }
@@ -77,8 +93,11 @@ std::vector<std::filesystem::path> generateScene(const std::string& name, double
                                      " triangles");
         }
         const Model model = generator.make({findQuality(generator, detail), false});
-        return generate::writeModel(model, name, generate::sceneText(name, name + ".obj"),
-                                    directory);
+        std::vector<generate::SceneFile> scenes;
+        for (const std::string& scene : generator.info.scenes) {
+            scenes.push_back({scene, generate::sceneText(scene, name + ".obj")});
+        }
+        return generate::writeModel(model, name, scenes, directory);
     }
     std::string known;
     for (const Generator& generator : table()) {

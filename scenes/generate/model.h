@@ -26,6 +26,7 @@ struct MaterialRecipe {
     glm::dvec3 emission = glm::dvec3(0);
     double repeat = 1; ///< metres that one repeat of the texture covers
     TextureRecipe texture = {};
+    TextureRecipe bump = {}; ///< height, as a grey
 };
 
 /// A scene's geometry and materials, before it is written.

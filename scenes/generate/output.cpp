@@ -108,6 +108,10 @@ std::string textureName(const std::string& name, const MaterialRecipe& material)
     return name + "_" + material.name + ".png";
 }
 
+std::string bumpName(const std::string& name, const MaterialRecipe& material) {
+    return name + "_" + material.name + "_bump.png";
+}
+
 void writeMtl(const Model& model, const std::string& name, const fs::path& path) {
     TextFile out(path);
     const auto colour = [&out](std::string_view key, glm::dvec3 value) {
@@ -125,13 +129,13 @@ void writeMtl(const Model& model, const std::string& name, const fs::path& path)
         out.number(material.metallic) << "\n";
         colour("Ke", material.emission);
         if (material.texture.paint) out << "map_Kd " << textureName(name, material) << "\n";
+        if (material.bump.paint) out << "map_bump " << bumpName(name, material) << "\n";
         out << "\n";
     }
     out.close();
 }
 
-void writeTexture(const TextureRecipe& recipe, const fs::path& path) {
-    const int size = recipe.size;
+void writeTexture(const TextureRecipe& recipe, int size, const fs::path& path) {
     std::vector<std::uint8_t> pixels;
     pixels.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 3);
     for (int y = 0; y < size; ++y) {
@@ -150,7 +154,7 @@ void writeTexture(const TextureRecipe& recipe, const fs::path& path) {
 } // namespace
 
 std::vector<fs::path> writeModel(const Model& model, const std::string& name,
-                                 const std::string& sceneText, const fs::path& directory) {
+                                 const std::vector<SceneFile>& scenes, const fs::path& directory) {
     fs::create_directories(directory);
     std::vector<fs::path> paths;
     const auto place = [&](const std::string& file) {
@@ -159,21 +163,28 @@ std::vector<fs::path> writeModel(const Model& model, const std::string& name,
     };
     // Painting takes longest, and no two textures depend on one another.
     std::vector<std::future<void>> painters;
+    // Where parts are mere shapes, fine textures would be out of place.
+    const int reduction = model.mesh.detail().shows(0.2) ? 1 : 4;
+    const auto paint = [&](const TextureRecipe& recipe, const std::string& file) {
+        if (!recipe.paint) return;
+        const int size = recipe.size / reduction;
+        painters.push_back(std::async(std::launch::async, [&recipe, size, path = place(file)] {
+            writeTexture(recipe, size, path);
+        }));
+    };
     for (const MaterialRecipe& material : model.materials) {
-        if (material.texture.paint) {
-            painters.push_back(std::async(std::launch::async,
-                                          [&material, path = place(textureName(name, material))] {
-                                              writeTexture(material.texture, path);
-                                          }));
-        }
+        paint(material.texture, textureName(name, material));
+        paint(material.bump, bumpName(name, material));
     }
     for (auto& painter : painters) {
         painter.get();
     }
     writeMtl(model, name, place(name + ".mtl"));
     writeObj(model, name, place(name + ".obj"));
-    // The scene comes last: once it is there, all that it names is there.
-    writeFile(place(name + ".scene").string(), sceneText);
+    // The scenes come last: once they are there, all that they name is there.
+    for (const SceneFile& scene : scenes) {
+        writeFile(place(scene.name + ".scene").string(), scene.text);
+    }
     return paths;
 }
 

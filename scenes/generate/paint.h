@@ -40,4 +40,27 @@ TextureRecipe braid();
 /// A leaf along the second axis: midrib, veins, paler edge.
 TextureRecipe foliage(Colour green, Colour pale);
 
+/// Painted steel: chipped to primer and rust at `wear` (0 to 1), dirt in streaks down the second
+/// axis.
+TextureRecipe paintedSteel(Colour paint, double wear, std::uint32_t seed);
+
+/// Sheets of bare aluminium, each rolled a little differently, with rows of rivets along the
+/// seams: `sheets` across and along.
+TextureRecipe aluminiumSkin(Colour metal, int sheets, bool rivets, std::uint32_t seed);
+
+/// A power-floated concrete floor: clouds, oil, tyre marks, hairline cracks, joints at the edges.
+TextureRecipe concreteFloor();
+
+/// Its height: grain and joints.
+TextureRecipe concreteRelief();
+
+/// Slanted stripes in two colours, worn.
+TextureRecipe hazardStripes(Colour bright, Colour dark);
+
+/// Road paint on concrete: the paint is worn off in places.
+TextureRecipe floorPaint(Colour paint, std::uint32_t seed);
+
+/// A label: dark lines of print on a ground, with a bar of colour at the top.
+TextureRecipe printedLabel(Colour ground, Colour print, Colour bar, std::uint32_t seed);
+
 } // namespace dirt::generate

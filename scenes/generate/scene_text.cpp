@@ -1,7 +1,10 @@
 #include "scenes/generate/scene_text.h"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace dirt::generate {
 namespace {
@@ -56,13 +59,44 @@ constexpr std::string_view cornell = R"(<?xml version="1.0" encoding="utf-8"?>
 </world>
 )";
 
+// Morning sun through the open door, past the camera's left shoulder; panels light the rest.
+constexpr std::string_view hangar = R"(<?xml version="1.0" encoding="utf-8"?>
+
+<world background="1.6 2.2 3.0">
+
+    <tracing faces="cubemap" indirect_bounces="2"/>
+
+    <camera name="first_person" aperture="39"/>
+
+    <light name="sun" type="spotlight" active="true" flux="78000" color="1 0.86 0.66"
+        position="-30 20 74" target="2 2.5 4" conical="true" aperture="50" penumbra="42"
+        spotlight_exponent="1.0"/>
+
+    <transformation name="environment" rotation="0,0,1,0" scale="1 1 1" translation="0,0,0">
+        <object name="hangar" file="@MODEL@"/>
+    </transformation>
+
+    <user name="default_user"
+        position="7.9 1.9 17.0" target="-0.6 3.25 0"/>
+
+    <tonemapping name="tone" key="1.2" white="4 4 4"/>
+
+</world>
+)";
+
+constexpr std::pair<std::string_view, std::string_view> texts[] = {
+    {"atrium", atrium},
+    {"cornell", cornell},
+    {"hangar", hangar},
+};
+
 } // namespace
 
 std::string sceneText(const std::string& name, const std::string& modelPath) {
-    if (name != "atrium" && name != "cornell") {
-        throw std::runtime_error("no scene text for '" + name + "'");
-    }
-    std::string text(name == "atrium" ? atrium : cornell);
+    const auto* const found = std::find_if(std::begin(texts), std::end(texts),
+                                           [&](const auto& entry) { return entry.first == name; });
+    if (found == std::end(texts)) throw std::runtime_error("no scene text for '" + name + "'");
+    std::string text(found->second);
     constexpr std::string_view mark = "@MODEL@";
     text.replace(text.find(mark), mark.size(), modelPath);
     return text;

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scenes/generate/scene_text.h"
@@ -106,13 +107,13 @@ Obj readObj(const fs::path& path) {
     return obj;
 }
 
-class AtriumDetail : public testing::TestWithParam<double> {};
+class SceneDetail : public testing::TestWithParam<std::pair<std::string, double>> {};
 
-TEST_P(AtriumDetail, MeshIsSoundAndAsLargeAsWished) {
-    const double wished = GetParam();
-    const fs::path folder = freshFolder(std::to_string(static_cast<int>(wished)));
-    dirt::generateScene("atrium", wished, folder);
-    const Obj obj = readObj(folder / "atrium.obj");
+TEST_P(SceneDetail, MeshIsSoundAndAsLargeAsWished) {
+    const auto& [name, wished] = GetParam();
+    const fs::path folder = freshFolder(name + std::to_string(static_cast<int>(wished)));
+    dirt::generateScene(name, wished, folder);
+    const Obj obj = readObj(folder / (name + ".obj"));
     EXPECT_NEAR(static_cast<double>(obj.triangles), wished, 0.2 * wished);
     EXPECT_EQ(obj.badNumbers, 0u);
     EXPECT_EQ(obj.badIndices, 0u);
@@ -128,20 +129,28 @@ TEST_P(AtriumDetail, MeshIsSoundAndAsLargeAsWished) {
     fs::remove_all(folder);
 }
 
-std::vector<double> details() {
-    if (dirt::test::fullTests()) return {1e4, 2.5e5, 1e6};
-    return {1e4, 2.5e5};
+std::vector<std::pair<std::string, double>> wishes() {
+    std::vector<std::pair<std::string, double>> all;
+    for (const dirt::GeneratorInfo& info : dirt::generators()) {
+        if (info.name == "cornell") continue; // has no ornament that could go
+        all.emplace_back(info.name, info.minDetail);
+        all.emplace_back(info.name, info.defaultDetail);
+        if (dirt::test::fullTests()) all.emplace_back(info.name, 1e6);
+    }
+    return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Wishes, AtriumDetail, testing::ValuesIn(details()));
+INSTANTIATE_TEST_SUITE_P(Wishes, SceneDetail, testing::ValuesIn(wishes()));
 
 TEST(Generate, SameArgumentsGiveTheSameBytes) {
     const fs::path first = freshFolder("first");
     const fs::path second = freshFolder("second");
-    const auto paths = dirt::generateScene("atrium", 1e4, first);
-    dirt::generateScene("atrium", 1e4, second);
-    for (const fs::path& path : paths) {
-        EXPECT_TRUE(readFile(path) == readFile(second / path.filename())) << path;
+    for (const dirt::GeneratorInfo& info : dirt::generators()) {
+        const auto paths = dirt::generateScene(info.name, info.minDetail, first);
+        dirt::generateScene(info.name, info.minDetail, second);
+        for (const fs::path& path : paths) {
+            EXPECT_TRUE(readFile(path) == readFile(second / path.filename())) << path;
+        }
     }
     fs::remove_all(first);
     fs::remove_all(second);
@@ -185,9 +194,11 @@ TEST(Generate, BadArgumentsAreRefusedWithTheirRange) {
 
 TEST(Generate, SceneFilesOfTheRepositoryFollowTheTemplate) {
     for (const dirt::GeneratorInfo& info : dirt::generators()) {
-        const fs::path file = fs::path(DIRT_SOURCE_DIR) / "scenes" / (info.name + ".scene");
-        EXPECT_EQ(readFile(file),
-                  dirt::generate::sceneText(info.name, "generated/" + info.name + ".obj"));
+        for (const std::string& scene : info.scenes) {
+            const fs::path file = fs::path(DIRT_SOURCE_DIR) / "scenes" / (scene + ".scene");
+            EXPECT_EQ(readFile(file),
+                      dirt::generate::sceneText(scene, "generated/" + info.name + ".obj"));
+        }
     }
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scenes/generate/mesh.h"
+
+namespace dirt::generate {
+
+// The hall, in metres: x across, z along, the open door at +z.
+constexpr double hallHalfWidth = 20;
+constexpr double hallFar = -34;
+constexpr double hallNear = 30;
+
+/// Floor with its markings, walls, windows, doors.
+void addHallShell(Mesh& mesh);
+
+/// Frames, purlins, roof, light panels, ducts, and the travelling crane.
+void addHallSteel(Mesh& mesh);
+
+} // namespace dirt::generate
