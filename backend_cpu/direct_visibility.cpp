@@ -106,8 +106,7 @@ public:
             tile.low[pixel] = tile.high[pixel] = outside ? HUGE_VALF : -HUGE_VALF;
             tile.id[pixel] = kNoPrimitive;
         }
-        rasterizeTile(frame.geometry, items_, lists_.list((size_t) index), bounds_.margin,
-                      tile);
+        rasterizeTile(frame.geometry, items_, lists_.list((size_t) index), bounds_.margin, tile);
     }
 
 private:

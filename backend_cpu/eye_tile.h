@@ -28,7 +28,7 @@ struct EyeTile {
 };
 
 /// Finds what the pixels of \p tile see of the triangles in \p list, which is in the order of
-/// depth: the nearest hit by core's `intersect`, at equal t the lowest id.
+/// depth: the nearest hit by core's `intersect` that is there, at equal t the lowest id.
 void rasterizeTile(const FrameGeometry& geometry, const std::vector<EyeTriangle>& items,
                    std::span<const DepthEntry> list, float margin, EyeTile& tile);
 

@@ -186,7 +186,7 @@ public:
 
     /// A triangle that is hit beyond doubt between the origin and t = 1.
     void testCertain(uint32_t id, LeafCounts& counts) {
-        const bool whole = maxT_ >= 1.0f && !tracer_.cone && tracer_.geometry.isWhole(id);
+        const bool whole = maxT_ >= 1.0f && !tracer_.cone && !tracer_.geometry.cutOuts;
         if (!whole)
             test(id, tracer_.geometry.triangles[id], counts);
         else if (!skips(tracer_.geometry, ray_, id, tracer_.geometry.triangles[id]))

@@ -16,9 +16,9 @@ std::string define(const char* name, int value) {
 }
 
 std::vector<std::string> surfaceDefines(const SurfaceVariant& surfaces) {
-    std::vector<std::string> defines = {define("DIRT_NORMALS", surfaces.normals),
-                                        define("DIRT_TEXTURES", surfaces.textures),
-                                        define("DIRT_EMISSION", surfaces.emission)};
+    std::vector<std::string> defines = {
+        define("DIRT_NORMALS", surfaces.normals), define("DIRT_TEXTURES", surfaces.textures),
+        define("DIRT_EMISSION", surfaces.emission), define("DIRT_GLOSS", surfaces.gloss)};
     if (surfaces.textures) {
         defines.push_back(define("DIRT_TEXEL_PIECES", surfaces.texelPieces));
         defines.push_back(define("DIRT_TEXEL_PIECE_BITS", surfaces.texelPieceBits));
@@ -95,8 +95,11 @@ ProgramSource depthMaskSource() {
     return {"DepthMask", {"depth_mask.comp"}, {}, {}};
 }
 
-ProgramSource raysSource(bool scatters) {
-    return {"Rays", {"rays.comp"}, {define("DIRT_SCATTERS", scatters)}, {}};
+ProgramSource raysSource(bool scatters, bool gloss) {
+    return {"Rays",
+            {"rays.comp"},
+            {define("DIRT_SCATTERS", scatters), define("DIRT_GLOSS", gloss)},
+            {}};
 }
 
 ProgramSource directVisibilitySource() {
@@ -131,20 +134,23 @@ ProgramSource fetchAtEyeSource(const SurfaceVariant& surfaces) {
     return {"Fetch at the eye", {"fetch_at_eye.comp"}, depositDefines(surfaces), {}};
 }
 
-ProgramSource shadowRaysSource(ViewMode mode) {
-    return {
-        "shadow rays", {"shadow_rays.comp"}, {define("DIRT_SINGLE", mode == ViewMode::single)}, {}};
+ProgramSource shadowRaysSource(ViewMode mode, bool gloss) {
+    return {"shadow rays",
+            {"shadow_rays.comp"},
+            {define("DIRT_SINGLE", mode == ViewMode::single), define("DIRT_GLOSS", gloss)},
+            {}};
 }
 
 ProgramSource visibilitySource() {
     return {"Visibility's answers", {"visibility.comp"}, {}, {}};
 }
 
-ProgramSource shadeSource(bool secondary, bool emission, bool background, bool light) {
+ProgramSource shadeSource(bool secondary, bool emission, bool background, bool light, bool gloss) {
     return {"Shade",
             {"shade.comp"},
             {define("DIRT_SECONDARY", secondary), define("DIRT_EMISSION", emission),
-             define("DIRT_BACKGROUND", background), define("DIRT_LIGHT", light)},
+             define("DIRT_BACKGROUND", background), define("DIRT_LIGHT", light),
+             define("DIRT_GLOSS", gloss)},
             {}};
 }
 

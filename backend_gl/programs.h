@@ -26,6 +26,7 @@ struct SurfaceVariant {
     bool normals = false, textures = false, emission = false;
     int texelPieces = 1;
     int texelPieceBits = 0; ///< log2 of a piece's words
+    bool gloss = false;
 
     /// Words that a rasterized triangle leaves with its hits.
     int depositWords() const { return 10 + (normals ? 9 : 0) + (textures ? 6 : 0); }
@@ -43,16 +44,16 @@ ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segment
 ProgramSource traceSource(Search search, int segments, int segmentBits);
 ProgramSource clearPathsSource(bool rays, bool current);
 ProgramSource depthMaskSource();
-ProgramSource raysSource(bool scatters);
+ProgramSource raysSource(bool scatters, bool gloss);
 ProgramSource directVisibilitySource();
 ProgramSource firstPointsSource(const SurfaceVariant& surfaces);
 ProgramSource fetchSource(const SurfaceVariant& surfaces, bool raster);
 ProgramSource groupHitsSource();
 ProgramSource rasterFetchSource(ViewMode mode, const SurfaceVariant& surfaces);
 ProgramSource fetchAtEyeSource(const SurfaceVariant& surfaces);
-ProgramSource shadowRaysSource(ViewMode mode);
+ProgramSource shadowRaysSource(ViewMode mode, bool gloss);
 ProgramSource visibilitySource();
-ProgramSource shadeSource(bool secondary, bool emission, bool background, bool light);
+ProgramSource shadeSource(bool secondary, bool emission, bool background, bool light, bool gloss);
 ProgramSource resolveSource();
 ProgramSource selfTestRasterSource();
 ProgramSource selfTestComputeSource();

@@ -1,5 +1,6 @@
 #include "backend_gl/sample_passes.h"
 
+#include "core/io/error.h"
 #include "core/path/camera_rays.h"
 #include "core/path/spotlight.h"
 
@@ -17,6 +18,13 @@ GLuint groupsOf(uint32_t count) {
     return (count + kGroup - 1) / kGroup;
 }
 
+/// Says what is not there yet, rather than leave it out of the image.
+void refuse(bool required, const char* what) {
+    if (required)
+        throw CapabilityError(std::string("--backend gl: the scene has ") + what +
+                              ", which is not built yet");
+}
+
 } // namespace
 
 SamplePasses::SamplePasses(Programs& programs)
@@ -25,13 +33,17 @@ SamplePasses::SamplePasses(Programs& programs)
 
 void SamplePasses::beginFrame(const Scene& scene, const RenderSettings& settings,
                               const Requirements& need, const GridFrame& frame) {
+    refuse(need.emissionTextures, "map_Ke");
+    refuse(need.reflectanceTextures, "map_Ks");
+    refuse(need.bumps, "map_bump");
+    refuse(need.cutOuts, "cut-outs");
     need_ = need;
     mode_ = settings.grid.mode;
     fetch_ = settings.fetch;
     counts_ = {};
     const int width = settings.grid.width, height = settings.grid.height;
     parameters_ = {};
-    parameters_.plane = CameraRays(scene.camera, width, height, mode_).plane();
+    parameters_.plane = CameraRays(scene.camera, width, height, mode_, frame.scale).plane();
     if (need.light) parameters_.light = makeGridSpotlight(scene.lights.front(), frame);
     parameters_.right = frame.right;
     parameters_.down = frame.down;
@@ -40,6 +52,10 @@ void SamplePasses::beginFrame(const Scene& scene, const RenderSettings& settings
     parameters_.width = (uint32_t) width;
     parameters_.seed = settings.seed;
     parameters_.background = scene.background;
+    parameters_.microfacets = (uint32_t) scene.microfacetModel;
+    parameters_.rayType = (uint32_t) settings.rayType;
+    parameters_.roulette = settings.roulette;
+    parameters_.lens = need.lens;
 
     scene_.upload(scene, need);
     paths_.allocate(need, (size_t) width * (size_t) height);
@@ -78,7 +94,7 @@ void SamplePasses::depthMask(int event) {
 }
 
 void SamplePasses::rays(uint32_t sample, int event, const TriangleBuffer& triangles) {
-    use(raysSource(event > 0), sample, event);
+    use(raysSource(event > 0, need_.gloss), sample, event);
     glBindTextureUnit(3, triangles.texture());
     paths_.dispatch();
 }
@@ -109,7 +125,7 @@ void SamplePasses::visibility(int event, const TracedStructure& structure, RayCa
         const auto count =
             (uint32_t) std::min<size_t>(RayCaster::kMostRays, paths_.pixels() - first);
         structure.views.bind();
-        use(shadowRaysSource(mode_), parameters_.sampleIndex, event);
+        use(shadowRaysSource(mode_, need_.gloss), parameters_.sampleIndex, event);
         glBindTextureUnit(3, structure.triangles.texture());
         paths_.bind((uint32_t) first, count);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kShadowRays, shadowRays_.id());
@@ -133,8 +149,8 @@ void SamplePasses::visibility(int event, const TracedStructure& structure, RayCa
 void SamplePasses::shade(int event) {
     // In single mode a secondary ray that leaves the view returns nothing.
     const bool background = need_.background && (event == 0 || mode_ == ViewMode::full);
-    use(shadeSource(event > 0, need_.emission, background, need_.light), parameters_.sampleIndex,
-        event);
+    use(shadeSource(event > 0, need_.emission, background, need_.light, need_.gloss),
+        parameters_.sampleIndex, event);
     paths_.dispatch();
 }
 

@@ -48,6 +48,7 @@ void SceneBuffers::upload(const Scene& scene, const Requirements& need) {
     variant_.normals = need.shadingNormals;
     variant_.textures = need.diffuseTextures;
     variant_.emission = need.emission;
+    variant_.gloss = need.gloss;
     uploadMaterials(scene);
     const Mesh& mesh = scene.mesh;
     if (need.shadingNormals) {
@@ -68,6 +69,7 @@ void SceneBuffers::uploadMaterials(const Scene& scene) {
     for (const Material& material : scene.materials) {
         words.push_back(wordsOf(material.diffuse, material.diffuseMap));
         words.push_back(wordsOf(material.emission, 0));
+        words.push_back(wordsOf({material.reflectance, material.metallic, material.roughness}, 0));
     }
     materials_ = texelBuffer(GL_RGBA32UI, sizeof(Words), words, "materials");
     materialOf_ = texelBuffer(GL_R32UI, sizeof(uint32_t), scene.mesh.materials, "triangles");

@@ -1,6 +1,6 @@
 #version 450 core
 // DepthMask: the pixels whose path goes on to the event: those that have reached a surface, G[k],
-// that is not black.
+// that reflects.
 
 #include "include/paths.glsl"
 #include "include/frame.glsl"
@@ -11,7 +11,9 @@ layout(local_size_x = 64) in;
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= pixelCount) return;
+    bool reflects = !black(current[i].diffuse) || isGlossy(current[i]) ||
+                    frame.rayType == kRaysVisibility;
     bool alive = (frame.event == 1 || isAlive(frame.event, i)) &&
-                 current[i].primitive != kNoPrimitive && !black(current[i].diffuse);
+                 current[i].primitive != kNoPrimitive && reflects;
     imageStore(mask, int(firstPixel + i), uvec4(alive ? 1u : 0u));
 }

@@ -6,26 +6,51 @@
 #include "include/frame.glsl"
 #include "include/triangles.glsl"
 #include "include/offset.glsl"
+#include "include/viewer.glsl"
 #include "shared/random.h"
-#include "shared/reflection.h"
 
 layout(local_size_x = 64) in;
 
-PathRay cameraRay(uint pixel) {
-    vec3 direction = directionThrough(uvec2(pixel % frame.width, pixel / frame.width));
-    return PathRay(vec3(0.0), kNoPrimitive, direction, 1.0, vec3(1.0), 0.0);
+float random(uint pixel, uint dimension) {
+    return randomUnit(pixel, frame.sampleIndex, uint(frame.event), dimension, frame.seed);
 }
 
 #if DIRT_SCATTERS
-PathRay scatteredRay(uint pixel, SurfacePoint point, vec3 throughput) {
-    uint event = uint(frame.event);
-    float u = randomUnit(pixel, frame.sampleIndex, event, kDimensionScatterU, frame.seed);
-    float v = randomUnit(pixel, frame.sampleIndex, event, kDimensionScatterV, frame.seed);
-    Scattering next = scatter(point, u, v);
+Scattering scatterAt(uint i, uint pixel, SurfacePoint point) {
+    float u = random(pixel, kDimensionScatterU);
+    float v = random(pixel, kDimensionScatterV);
+#if DIRT_GLOSS
+    if (isGlossy(point))
+        return scatter(point, frame.microfacets, towardsViewer(frame.event - 1, i, point),
+                       random(pixel, kDimensionLobe), u, v, random(pixel, kDimensionFacet));
+#endif
+    return scatter(point, u, v);
+}
+
+PathRay scatteredRay(uint i, uint pixel) {
+    SurfacePoint point = takenFor(frame.rayType, current[i]);
+    Scattering next = scatterAt(i, pixel, point);
     if (next.direction == vec3(0.0)) return kNoRay;
+    precise vec3 throughput = next.weight;
+    if (frame.event > 1) throughput = rays[i].throughput * throughput;
+    if (frame.roulette != 0u && uint(frame.event) >= kFirstRouletteEvent) {
+        float chance = survivalChance(throughput);
+        if (!(random(pixel, kDimensionRoulette) < chance)) return kNoRay;
+        throughput = throughput / chance;
+    }
     vec3 origin = offsetOrigin(triangleOf(point.primitive), point.u, point.v, next.direction);
-    precise vec3 weight = throughput * next.weight;
-    return PathRay(origin, point.primitive, next.direction, next.pdf, weight, 0.0);
+    return PathRay(origin, point.primitive, next.direction, next.pdf, throughput, 0.0);
+}
+#else
+PathRay cameraRay(uint pixel) {
+    vec3 direction = directionThrough(uvec2(pixel % frame.width, pixel / frame.width));
+    vec3 origin = vec3(0.0);
+    if (frame.lens != 0u) {
+        vec3 pinhole = direction;
+        lensRay(frame.plane, pinhole, random(pixel, kDimensionLensU),
+                random(pixel, kDimensionLensV), origin, direction);
+    }
+    return PathRay(origin, kNoPrimitive, direction, 1.0, vec3(1.0), 0.0);
 }
 #endif
 
@@ -36,8 +61,7 @@ void main() {
     if (!isAlive(frame.event, i))
         rays[i] = kNoRay;
     else
-        rays[i] = scatteredRay(firstPixel + i, current[i],
-                               frame.event == 1 ? vec3(1.0) : rays[i].throughput);
+        rays[i] = scatteredRay(i, firstPixel + i);
 #else
     rays[i] = cameraRay(firstPixel + i);
 #endif

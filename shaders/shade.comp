@@ -4,7 +4,7 @@
 
 #include "include/paths.glsl"
 #include "include/frame.glsl"
-#include "shared/reflection.h"
+#include "include/viewer.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -24,6 +24,10 @@ void main() {
     throughput = rays[i].throughput;
 #endif
     bool found = next[i].primitive != kNoPrimitive;
+    if (frame.rayType == kRaysVisibility) {
+        if (!found) add(i, throughput);
+        return;
+    }
 #if DIRT_EMISSION
     precise vec3 emitted = throughput * next[i].emission;
     if (found) add(i, emitted);
@@ -34,8 +38,7 @@ void main() {
 #endif
 #if DIRT_LIGHT
     if (imageLoad(visibility, int(firstPixel + i)).x == 0u) return;
-    SurfacePoint point = next[i];
-    vec3 reflected = reflectedRadiance(point, sampleSpotlight(frame.light, point.position));
+    vec3 reflected = reflectedOfLight(i);
     precise vec3 arriving = throughput * reflected;
     add(i, arriving);
 #endif

@@ -7,7 +7,7 @@
 #include "include/triangles.glsl"
 #include "include/offset.glsl"
 #include "include/ray_record.glsl"
-#include "shared/reflection.h"
+#include "include/viewer.glsl"
 #if DIRT_SINGLE
 #include "include/view_cone.glsl"
 #endif
@@ -24,7 +24,7 @@ layout(std430, binding = 7) buffer CountBlock {
 /// Whether the light would add something, if it were seen.
 bool isLit(uint i) {
     if (!isAlive(frame.event, i) || next[i].primitive == kNoPrimitive) return false;
-    return !black(reflectedRadiance(next[i], sampleSpotlight(frame.light, next[i].position)));
+    return !black(reflectedOfLight(i));
 }
 
 void main() {

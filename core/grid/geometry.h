@@ -43,13 +43,13 @@ struct FrameGeometry {
     /// The scene whose materials cut holes, alive while rays are cast; null: there are none.
     const Scene* cutOuts = nullptr;
 
-    /// Whether no part of \p primitive is cut out.
-    bool isWhole(uint32_t primitive) const {
-        return !cutOuts || !cutOuts->materials[cutOuts->mesh.materials[primitive]].hasCutOuts();
-    }
     /// Whether a ray that meets \p primitive at barycentric weights (\p u, \p v) hits it.
     bool holds(uint32_t primitive, float u, float v) const {
         return !cutOuts || isThere(*cutOuts, primitive, u, v);
+    }
+    /// Whether that has to be asked.
+    bool mayHaveHoles(uint32_t primitive) const {
+        return cutOuts && cutOuts->materials[cutOuts->mesh.materials[primitive]].hasCutOuts();
     }
 };
 

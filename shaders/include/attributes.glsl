@@ -1,16 +1,18 @@
 // A triangle's attributes, by primitive id, and what Fetch makes of them: core/path/surface.h.
-// DIRT_NORMALS and DIRT_TEXTURES say what the scene has.
+// DIRT_NORMALS, DIRT_TEXTURES and DIRT_GLOSS say what the scene has.
 
 #include "include/frame.glsl"
 #include "include/triangles.glsl"
 #include "shared/layouts.h"
+#include "shared/reflection.h"
 #include "shared/surface.h"
 #if DIRT_TEXTURES
 #include "include/textures.glsl"
 #endif
 
 layout(binding = 6) uniform usamplerBuffer materialOf;
-layout(binding = 7) uniform usamplerBuffer materials; // (Kd, map), (Ke, 0) as bits
+layout(binding = 7) uniform usamplerBuffer materials; // (Kd, map), (Ke, 0), (Ks, metallic,
+                                                      // roughness, 0) as bits
 #if DIRT_NORMALS
 layout(binding = 8) uniform usamplerBuffer normalIndices;
 layout(binding = 9) uniform samplerBuffer normals;
@@ -72,7 +74,7 @@ vec3 shadingNormal(Attributes attributes, vec3 geometric, float u, float v) {
 }
 
 vec3 diffuseReflectance(Attributes attributes, float u, float v) {
-    uvec4 material = texelFetch(materials, int(attributes.material) * 2);
+    uvec4 material = texelFetch(materials, int(attributes.material) * 3);
 #if DIRT_TEXTURES
     if (material.w != kNoTexture && attributes.hasTexcoords)
         return sampleTexture(material.w, interpolate(attributes.texcoords[0],
@@ -86,13 +88,21 @@ vec3 diffuseReflectance(Attributes attributes, float u, float v) {
 SurfacePoint surfaceAt(Attributes attributes, uint primitive, float u, float v, vec3 direction) {
     Triangle t = attributes.triangle;
     SurfacePoint point = SurfacePoint(vec3(0.0), primitive, vec3(0.0), u, vec3(0.0), v, vec3(0.0),
-                                      0.0, vec3(0.0), 0.0);
+                                      0.0, vec3(0.0), 0u);
     point.position = interpolate(t.a, t.b, t.c, u, v);
     point.geometricNormal = facing(triangleNormal(t.a, t.b, t.c), -direction);
     point.shadingNormal = shadingNormal(attributes, point.geometricNormal, u, v);
     point.diffuse = diffuseReflectance(attributes, u, v);
 #if DIRT_EMISSION
-    point.emission = uintBitsToFloat(texelFetch(materials, int(attributes.material) * 2 + 1).xyz);
+    point.emission = uintBitsToFloat(texelFetch(materials, int(attributes.material) * 3 + 1).xyz);
+#endif
+#if DIRT_GLOSS
+    vec3 gloss =
+        uintBitsToFloat(texelFetch(materials, int(attributes.material) * 3 + 2).xyz);
+    if (gloss.x > 0.0) {
+        point.roughness = gloss.z;
+        point.gloss = packGloss(gloss.x, gloss.y);
+    }
 #endif
     return point;
 }

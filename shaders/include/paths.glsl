@@ -31,7 +31,7 @@ const Hit kNoHit = Hit(kNoPrimitive, 0.0, 0.0, 0.0, 0u, 0u, 0u);
 const PathRay kNoRay = PathRay(vec3(0.0), kNoPrimitive, vec3(0.0), 0.0, vec3(0.0), 0.0);
 const SurfacePoint kNoPoint =
     SurfacePoint(vec3(0.0), kNoPrimitive, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0,
-                 vec3(0.0), 0.0);
+                 vec3(0.0), 0u);
 
 /// Whether the path of a pixel takes part in a path event. \p i: in the piece.
 bool isAlive(int event, uint i) {

@@ -21,6 +21,10 @@ struct FrameParameters {
     float offsetX DIRT_DEFAULT(0.0f); // of the sample, from a pixel's corner
     float offsetY DIRT_DEFAULT(0.0f);
     uint sampleIndex DIRT_DEFAULT(0u);
+    uint microfacets DIRT_DEFAULT(0u); // the scene's model
+    uint rayType DIRT_DEFAULT(0u);     // what indirect rays take surfaces for
+    uint roulette DIRT_DEFAULT(0u);    // 1: paths beyond three bounces go on by chance
+    uint lens DIRT_DEFAULT(0u);        // 1: the camera has an aperture
     uint unused DIRT_DEFAULT(0u);
 };
 
@@ -31,7 +35,7 @@ DIRT_SHARED_END
 #include <cstddef>
 
 namespace dirt {
-static_assert(sizeof(FrameParameters) == 224 && offsetof(FrameParameters, light) == 64 &&
+static_assert(sizeof(FrameParameters) == 240 && offsetof(FrameParameters, light) == 64 &&
               offsetof(FrameParameters, right) == 144 && offsetof(FrameParameters, width) == 172 &&
               offsetof(FrameParameters, background) == 192 &&
               offsetof(FrameParameters, offsetX) == 208);

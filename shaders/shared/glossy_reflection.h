@@ -16,21 +16,10 @@ DIRT_FUNCTION vec3 directionToEye(vec3 position) {
     return directionOf(-position);
 }
 
-/// SurfacePoint::gloss: reflectance and metallic, of [0, 1], as multiples of 1/65535.
-DIRT_FUNCTION uint packGloss(float reflectance, float metallic) {
-    DIRT_PRECISE float low = reflectance * 65535.0f + 0.5f;
-    DIRT_PRECISE float high = metallic * 65535.0f + 0.5f;
-    return uint(low) | uint(high) << 16u;
-}
-
 DIRT_FUNCTION Lobes lobesOf(SurfacePoint point, uint model) {
     DIRT_PRECISE float reflectance = float(point.gloss & 0xffffu) / 65535.0f;
     DIRT_PRECISE float metallic = float(point.gloss >> 16u) / 65535.0f;
     return makeLobes(point.diffuse, reflectance, metallic, point.roughness, model);
-}
-
-DIRT_FUNCTION bool isGlossy(SurfacePoint point) {
-    return (point.gloss & 0xffffu) != 0u;
 }
 
 /// The shading normal, tilted where an interpolated one turns away from the viewer, \p v, who sees
@@ -42,24 +31,6 @@ DIRT_FUNCTION vec3 normalSeenFrom(SurfacePoint point, vec3 v) {
     // Both lie on one side of the surface, so the sum vanishes at its horizon only.
     if (!(dotProduct(tilted, tilted) > 1e-12f)) return point.geometricNormal;
     return unitVector(tilted);
-}
-
-/// What indirect rays take every surface for; the values of RayType.
-const uint kRaysDiffuse = 1u;
-const uint kRaysGlossy = 2u;
-const uint kRaysSpecular = 3u;
-const uint kRaysVisibility = 4u;
-
-DIRT_FUNCTION SurfacePoint takenFor(uint rayType, SurfacePoint point) {
-    if (rayType == 0u) return point;
-    SurfacePoint other = point;
-    other.gloss = 0u;
-    if (rayType == kRaysVisibility) other.diffuse = vec3(1.0f);
-    if (rayType == kRaysGlossy || rayType == kRaysSpecular) {
-        other.gloss = packGloss(1.0f, 1.0f);
-        other.roughness = rayType == kRaysGlossy ? 0.1f : 0.0f;
-    }
-    return other;
 }
 
 /// A local frame and the direction to the viewer in it.

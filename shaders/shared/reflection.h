@@ -39,6 +39,36 @@ DIRT_FUNCTION Scattering scatter(SurfacePoint point, float u, float v) {
     return result;
 }
 
+/// SurfacePoint::gloss: reflectance and metallic, of [0, 1], as multiples of 1/65535.
+DIRT_FUNCTION uint packGloss(float reflectance, float metallic) {
+    DIRT_PRECISE float low = reflectance * 65535.0f + 0.5f;
+    DIRT_PRECISE float high = metallic * 65535.0f + 0.5f;
+    return uint(low) | uint(high) << 16u;
+}
+
+/// Whether the surface has microfacets.
+DIRT_FUNCTION bool isGlossy(SurfacePoint point) {
+    return (point.gloss & 0xffffu) != 0u;
+}
+
+/// What indirect rays take every surface for; the values of RayType.
+const uint kRaysDiffuse = 1u;
+const uint kRaysGlossy = 2u;
+const uint kRaysSpecular = 3u;
+const uint kRaysVisibility = 4u;
+
+DIRT_FUNCTION SurfacePoint takenFor(uint rayType, SurfacePoint point) {
+    if (rayType == 0u) return point;
+    SurfacePoint other = point;
+    other.gloss = 0u;
+    if (rayType == kRaysVisibility) other.diffuse = vec3(1.0f);
+    if (rayType == kRaysGlossy || rayType == kRaysSpecular) {
+        other.gloss = packGloss(1.0f, 1.0f);
+        other.roughness = rayType == kRaysGlossy ? 0.1f : 0.0f;
+    }
+    return other;
+}
+
 /// Path events from this one on go on by roulette.
 const uint kFirstRouletteEvent = 3u;
 

@@ -15,8 +15,9 @@ namespace {
 /// What a scene may have of normals, textures and emission; texels in one piece or two.
 std::vector<SurfaceVariant> surfaceVariants() {
     std::vector<SurfaceVariant> variants;
-    for (int has = 0; has < 8; ++has) {
-        SurfaceVariant variant{(has & 1) != 0, (has & 2) != 0, (has & 4) != 0, 1, 27};
+    for (int has = 0; has < 16; ++has) {
+        SurfaceVariant variant{(has & 1) != 0, (has & 2) != 0, (has & 4) != 0, 1, 27,
+                               (has & 8) != 0};
         variants.push_back(variant);
         variant.texelPieces = 2;
         if (variant.textures) variants.push_back(variant);
@@ -29,10 +30,14 @@ void addPathPasses(std::vector<ProgramSource>& all) {
                            resolveSource(), directVisibilitySource()});
     for (int has = 0; has < 4; ++has)
         all.push_back(clearPathsSource((has & 1) != 0, (has & 2) != 0));
-    for (bool scatters : {false, true}) all.push_back(raysSource(scatters));
-    for (ViewMode mode : {ViewMode::full, ViewMode::single}) all.push_back(shadowRaysSource(mode));
-    for (int has = 0; has < 16; ++has)
-        all.push_back(shadeSource((has & 1) != 0, (has & 2) != 0, (has & 4) != 0, (has & 8) != 0));
+    for (bool gloss : {false, true}) {
+        for (bool scatters : {false, true}) all.push_back(raysSource(scatters, gloss));
+        for (ViewMode mode : {ViewMode::full, ViewMode::single})
+            all.push_back(shadowRaysSource(mode, gloss));
+        for (int has = 0; has < 16; ++has)
+            all.push_back(
+                shadeSource((has & 1) != 0, (has & 2) != 0, (has & 4) != 0, (has & 8) != 0, gloss));
+    }
     for (const SurfaceVariant& surfaces : surfaceVariants()) {
         all.insert(all.end(), {firstPointsSource(surfaces), fetchAtEyeSource(surfaces)});
         for (bool raster : {false, true}) all.push_back(fetchSource(surfaces, raster));
