@@ -24,10 +24,15 @@ void CpuBackend::expectLight(const Spotlight* light) {
 }
 
 void CpuBackend::clear(const Camera& camera, const GridSettings& settings) {
-    grid_ = {}; // before the next one is allocated
     tracer_.reset();
     lightGrid_ = {};
-    grid_ = makeEmptyGrid(camera, settings);
+    // The large buffers are used again.
+    Grid empty = makeEmptyGrid(camera, settings);
+    empty.heads = std::move(grid_.heads);
+    empty.ids = std::move(grid_.ids);
+    empty.heads.clear();
+    empty.ids.clear();
+    grid_ = std::move(empty);
 }
 
 void CpuBackend::fillDepth() {

@@ -1,18 +1,20 @@
 #include "core/frame/host_backend.h"
 
+#include "core/frame/transform_mesh.h"
+
 #include <algorithm>
 #include <stdexcept>
 
 namespace dirt {
 
 void HostBackend::transform(const Mesh& mesh, const Camera& camera, ViewMode mode) {
-    transformed_ = makeFrameGeometry(mesh, camera, mode);
+    transformMesh(mesh, camera, mode, executor_, transformed_);
     geometry_ = &transformed_;
     triangleBytes_ = transformed_.triangles.size() * sizeof(Triangle);
 }
 
 void HostBackend::setGeometry(const FrameGeometry& geometry) {
-    transformed_ = {};
+    transformed_.triangles.clear(); // but keeps its memory
     geometry_ = &geometry;
     triangleBytes_ = geometry.triangles.size() * sizeof(Triangle);
 }

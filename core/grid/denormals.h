@@ -9,30 +9,38 @@
 
 namespace dirt {
 
-/// Flushes denormals to zero while it lives, as GPUs do (G7). The geometry's scale keeps away from
-/// them; where one arises all the same, every backend has to see the same zero.
-class FlushDenormals {
+/// Sets whether denormals are flushed to zero while it lives.
+template <bool Flush>
+class DenormalMode {
 public:
 #if defined(__x86_64__) || defined(_M_X64)
-    FlushDenormals() : saved_(_mm_getcsr()) {
-        _mm_setcsr(saved_ | kFlushToZero | kDenormalsAreZero);
+    DenormalMode() : saved_(_mm_getcsr()) {
+        constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
+        constexpr unsigned kBoth = kFlushToZero | kDenormalsAreZero;
+        _mm_setcsr(Flush ? saved_ | kBoth : saved_ & ~kBoth);
     }
-    ~FlushDenormals() {
+    ~DenormalMode() {
         _mm_setcsr(saved_);
     }
 
 private:
-    static constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
     unsigned saved_;
 #else
-    FlushDenormals() {}
-    ~FlushDenormals() {}
+    DenormalMode() {}
+    ~DenormalMode() {}
 #endif
 
 public:
-    FlushDenormals(const FlushDenormals&) = delete;
-    FlushDenormals& operator=(const FlushDenormals&) = delete;
+    DenormalMode(const DenormalMode&) = delete;
+    DenormalMode& operator=(const DenormalMode&) = delete;
 };
+
+/// As GPUs do (G7). The geometry's scale keeps away from denormals; where one arises all the same,
+/// every backend has to see the same zero.
+using FlushDenormals = DenormalMode<true>;
+
+/// For what comes before the scale.
+using KeepDenormals = DenormalMode<false>;
 
 /// \p x, or zero where it is denormal; for code that must not depend on the mode above.
 inline float flushed(float x) {
