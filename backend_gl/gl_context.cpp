@@ -57,6 +57,25 @@ std::vector<Place> places() {
     return places;
 }
 
+/// A context that says when it is lost, if the driver can; none below OpenGL 4.5.
+EGLContext createContext(EGLDisplay display) {
+    if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
+    std::vector<EGLint> attributes = {
+        EGL_CONTEXT_MAJOR_VERSION,       4,
+        EGL_CONTEXT_MINOR_VERSION,       5,
+        EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+        EGL_CONTEXT_OPENGL_DEBUG,        EGL_TRUE};
+    const auto create = [&](std::vector<EGLint> list) {
+        list.push_back(EGL_NONE);
+        return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, list.data());
+    };
+    std::vector<EGLint> notified = attributes;
+    notified.insert(notified.end(),
+                    {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
+    const EGLContext context = create(notified);
+    return context ? context : create(attributes);
+}
+
 } // namespace
 
 std::vector<GlDevice> listGlDevices() {
@@ -104,18 +123,8 @@ void GlContext::open(EGLDisplay display) {
          {"EGL_KHR_create_context", "EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"})
         if (!hasExtension(extensions, needed))
             throw CapabilityError(std::string("no OpenGL: the device's driver lacks ") + needed);
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 4,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_CONTEXT_OPENGL_DEBUG,
-                                 EGL_TRUE,
-                                 EGL_NONE};
-    if (!eglBindAPI(EGL_OPENGL_API) ||
-        !(context_ = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes)))
-        throw CapabilityError("no OpenGL: the device's driver is below OpenGL 4.5");
+    context_ = createContext(display);
+    if (!context_) throw CapabilityError("no OpenGL: the device's driver is below OpenGL 4.5");
     display_ = display;
     makeCurrent();
     const auto text = [](GLenum name) { return std::string((const char*) glGetString(name)); };
@@ -139,6 +148,10 @@ void GlContext::makeCurrent() const {
 }
 
 void GlContext::check() const {
+    // First, as a lost context answers every question with an error, without end.
+    if (glGetGraphicsResetStatus() != GL_NO_ERROR)
+        throw CapabilityError("OpenGL: the context is lost, as after a crash or a time limit of "
+                              "the graphics driver");
     while (const GLenum error = glGetError()) {
         if (error == GL_OUT_OF_MEMORY) outOfMemory_ = true;
         if (error_.empty()) error_ = "error " + std::to_string(error);

@@ -33,7 +33,7 @@ public:
     void makeCurrent() const;
 
     /// Throws what the driver has reported since the last call: InputError where it is out of
-    /// memory, std::runtime_error for other errors.
+    /// memory, CapabilityError where the context is lost, std::runtime_error for other errors.
     void check() const;
 
     /// Renderer and version.

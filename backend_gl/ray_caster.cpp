@@ -50,6 +50,7 @@ CastCounts RayCaster::run(const BufferRange& rays, const BufferRange& hits, uint
     glUniform1ui(0, count);
     StatesHeader header;
     do {
+        header = {}; // what is not read, as the driver has given up, ends the search
         const uint32_t none[2] = {};
         states_.write(0, sizeof none, none);
         glUniform1ui(4, turns_);
