@@ -42,7 +42,8 @@ void testTriangle(const FrameGeometry& geometry, const EyeTriangle& item, float 
     const int lanes = (int) hn::Lanes(d);
     const auto minusMargin = hn::Set(d, -margin), plusMargin = hn::Set(d, margin);
     const auto error = hn::Set(d, item.error);
-    const bool mayHaveHoles = geometry.mayHaveHoles(item.id);
+    // What may have holes is always in doubt.
+    const float surelyAbove = geometry.mayHaveHoles(item.id) ? HUGE_VALF : margin;
     const int x0 = std::max(0, item.range.x0 - tile.x0) / lanes * lanes;
     const int x1 = std::min(EyeTile::kWidth - 1, item.range.x1 - tile.x0);
     const int y0 = std::max(0, item.range.y0 - tile.y0);
@@ -72,9 +73,9 @@ void testTriangle(const FrameGeometry& geometry, const EyeTriangle& item, float 
             const auto seenHigh = hn::Load(d, tile.high + pixel);
             const auto normal =
                 hn::And(hn::Gt(low, hn::Set(d, kLeast)), hn::Lt(high, hn::Set(d, kMost)));
-            const auto inside = hn::And(hn::Gt(least, plusMargin), hn::Gt(low, seenHigh));
-            auto nearest = hn::And(met, hn::And(normal, inside));
-            if (mayHaveHoles) nearest = hn::MaskFalse(d);
+            const auto inside =
+                hn::And(hn::Gt(least, hn::Set(d, surelyAbove)), hn::Gt(low, seenHigh));
+            const auto nearest = hn::And(met, hn::And(normal, inside));
             hn::Store(hn::IfThenElse(nearest, low, hn::Load(d, tile.low + pixel)), d,
                       tile.low + pixel);
             hn::Store(hn::IfThenElse(nearest, high, seenHigh), d, tile.high + pixel);
