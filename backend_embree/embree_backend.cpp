@@ -53,8 +53,9 @@ struct EmbreeBackend::State {
     }
 };
 
-EmbreeBackend::EmbreeBackend(Executor& executor, bool robust, EmbreeDecision decision)
-    : HostBackend(executor), robust_(robust), decision_(decision),
+EmbreeBackend::EmbreeBackend(Executor& executor, bool robust, EmbreeDecision decision,
+                             EmbreeQuality quality)
+    : HostBackend(executor), robust_(robust), decision_(decision), quality_(quality),
       state_(std::make_unique<State>()) {
     const std::string config = "threads=" + std::to_string(executor.threads());
     state_->device = rtcNewDevice(config.c_str());
@@ -101,6 +102,11 @@ void EmbreeBackend::fillPrimitives() {
     if (robust_) flags |= RTC_SCENE_FLAG_ROBUST;
     rtcSetSceneFlags(state.scene, (RTCSceneFlags) flags);
 
+    // The scene's quality chooses a tree over the geometries' own, which are built at theirs.
+    const RTCBuildQuality quality =
+        quality_ == EmbreeQuality::low ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
+    rtcSetSceneBuildQuality(state.scene, quality);
+
     // Embree reads 16 bytes at each vertex, which the triangle buffer does not have at its end,
     // so it gets a copy with its own padding.
     RTCGeometry mesh = rtcNewGeometry(state.device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -121,6 +127,7 @@ void EmbreeBackend::fillPrimitives() {
         rtcSetGeometryIntersectFilterFunction(mesh, filterSkipped);
         rtcSetGeometryOccludedFilterFunction(mesh, filterSkipped);
     }
+    rtcSetGeometryBuildQuality(mesh, quality);
     rtcCommitGeometry(mesh);
     rtcAttachGeometry(state.scene, mesh);
     rtcReleaseGeometry(mesh);

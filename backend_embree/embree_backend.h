@@ -12,8 +12,12 @@ enum class EmbreeDecision {
     plain ///< Embree alone: what a user of Embree gets
 };
 
+/// How much work Embree puts into its tree: its default, or the least (by Morton codes).
+enum class EmbreeQuality { standard, low };
+
 /// Embree 3 as a reference: a scene of one triangle geometry over the frame's triangle buffer,
-/// built anew each time at Embree's default quality on as many threads as the executor has.
+/// built anew each time, by default at Embree's default quality, on as many threads as the executor
+/// has.
 ///
 /// Under EmbreeDecision::core, of the triangles that Embree proposes along the ray those that the
 /// exact test refuses are dropped, and the smallest (t, id) is the hit; what Embree fails to
@@ -24,7 +28,8 @@ class EmbreeBackend final : public HostBackend {
 public:
     /// \p robust sets RTC_SCENE_FLAG_ROBUST. Throws CapabilityError if Embree does not start.
     explicit EmbreeBackend(Executor& executor, bool robust = false,
-                           EmbreeDecision decision = EmbreeDecision::core);
+                           EmbreeDecision decision = EmbreeDecision::core,
+                           EmbreeQuality quality = EmbreeQuality::standard);
     ~EmbreeBackend() override;
 
     std::string name() const override;
@@ -42,6 +47,7 @@ private:
 
     bool robust_;
     EmbreeDecision decision_;
+    EmbreeQuality quality_;
     std::unique_ptr<State> state_;
 };
 

@@ -1,6 +1,7 @@
 #include "bench/frame_bench.h"
 
 #include "backend_cpu/cpu_backend.h"
+#include "bench/bandwidth.h"
 #include "bench/ray_sets.h"
 
 #include <algorithm>
@@ -13,10 +14,12 @@ namespace {
 /// One backend on one frame's geometry and rays.
 class Side {
 public:
-    Side(Backend& backend, const FrameGeometry& geometry, const Camera& camera,
-         const GridSettings& settings, const RaySets& rays)
-        : backend_(backend), geometry_(geometry), camera_(camera), settings_(settings), rays_(rays),
+    Side(Backend& backend, const Scene& scene, const FrameGeometry& geometry,
+         const RenderSettings& settings, const RaySets& rays)
+        : backend_(backend), scene_(scene), geometry_(geometry), settings_(settings), rays_(rays),
           hits_(std::max(rays.primary.size(), rays.diffuse.size())), occluded_(rays.shadow.size()) {
+        settings_.samples = 1;
+        settings_.bounces = 2;
     }
 
     double milliseconds(FramePart part) {
@@ -31,7 +34,7 @@ private:
     void run(FramePart part) {
         switch (part) {
         case FramePart::build:
-            backend_.build(geometry_, camera_, settings_);
+            backend_.build(geometry_, scene_.camera, settings_.grid);
             return;
         case FramePart::primary:
             return backend_.intersect(rays_.primary, {hits_.data(), rays_.primary.size()});
@@ -39,21 +42,26 @@ private:
             return backend_.intersect(rays_.diffuse, {hits_.data(), rays_.diffuse.size()});
         case FramePart::shadow:
             return backend_.occluded(rays_.shadow, rays_.shadowMaxT, occluded_);
+        case FramePart::frame:
+            Renderer(scene_, settings_, backend_).render();
+            return;
         }
     }
 
     Backend& backend_;
+    const Scene& scene_;
     const FrameGeometry& geometry_;
-    const Camera& camera_;
-    const GridSettings& settings_;
+    RenderSettings settings_;
     const RaySets& rays_;
     std::vector<Hit> hits_;
     std::vector<uint8_t> occluded_;
 };
 
-uint64_t totalBytes(const Backend& backend) {
+/// What stands between construction and tracing, without what only construction needs.
+uint64_t structureBytes(const Backend& backend) {
     uint64_t total = 0;
-    for (const BufferSize& buffer : backend.memory()) total += buffer.second;
+    for (const auto& [name, bytes] : backend.memory())
+        if (name != "fragments") total += bytes;
     return total;
 }
 
@@ -79,30 +87,40 @@ std::array<WorkReport, kFrameParts.size()> countWork(const LeafTracer& tracer,
 } // namespace
 
 const char* framePartName(FramePart part) {
-    static constexpr const char* kNames[] = {"build", "primary", "trace", "shadow"};
+    static constexpr const char* kNames[] = {"build", "primary", "trace", "shadow", "frame"};
     return kNames[(size_t) part];
 }
 
 FrameReport benchFrame(const Scene& scene, const RenderSettings& settings, Backend& dirt,
-                       Backend& embree, Executor& executor, int rounds) {
-    const GridSettings& grid = settings.grid;
+                       Backend& embree, Backend& morton, Executor& executor, int rounds) {
     const RaySets rays = makeRaySets(scene, settings, dirt, executor);
-    const FrameGeometry geometry = makeFrameGeometry(scene.mesh, scene.camera, grid.mode);
-    Side sides[2] = {{dirt, geometry, scene.camera, grid, rays},
-                     {embree, geometry, scene.camera, grid, rays}};
+    const FrameGeometry geometry = makeFrameGeometry(scene.mesh, scene.camera, settings.grid.mode);
+    Side sides[2] = {{dirt, scene, geometry, settings, rays},
+                     {embree, scene, geometry, settings, rays}};
+    const RaySets none;
+    Side mortonSide(morton, scene, geometry, settings, none);
     FrameReport report;
     SideReport* const reports[2] = {&report.dirt, &report.embree};
     for (int round = -1; round < rounds; ++round)
-        for (const FramePart part : kFrameParts)
+        for (const FramePart part : kFrameParts) {
             for (int i = 0; i < 2; ++i) {
                 const int s = (i + round) & 1; // who comes first changes from round to round
                 const double ms = sides[s].milliseconds(part);
                 if (round >= 0) reports[s]->parts[(size_t) part].ms.push_back(ms);
             }
-    report.dirt.bytes = totalBytes(dirt);
-    report.embree.bytes = totalBytes(embree);
+            if (part != FramePart::build) continue;
+            if (round < 0) {
+                report.dirt.bytes = structureBytes(dirt);
+                report.embree.bytes = structureBytes(embree);
+            }
+            const double ms = mortonSide.milliseconds(part);
+            if (round >= 0) report.mortonBuild.ms.push_back(ms);
+        }
     report.listEntries = dirt.listEntries();
     if (auto* cpu = dynamic_cast<CpuBackend*>(&dirt)) report.work = countWork(cpu->tracer(), rays);
+    // The triangle buffer is part of the structure's bytes: read here, not written.
+    report.floorBytes = report.dirt.bytes;
+    report.bytesPerMs = measureBandwidth(executor);
     return report;
 }
 

@@ -52,6 +52,13 @@ void printFrame(std::FILE* file, const Input& input, const FrameReport& report) 
         if (work.rays > 0) std::fprintf(file, " %10.2f", (double) work.rays / dirt.median() * 1e-3);
         std::fprintf(file, "\n");
     }
+    const double build = report.dirt.parts[(size_t) FramePart::build].median();
+    std::fprintf(file, "  build beside Embree's Morton rebuild of %.1f ms (%.1f-%.1f): %.2f\n",
+                 report.mortonBuild.median(), report.mortonBuild.least(), report.mortonBuild.most(),
+                 build / report.mortonBuild.median());
+    std::fprintf(file, "  build beside its floor, %.1f MB at %.1f GB/s, %.1f ms: %.1f\n",
+                 (double) report.floorBytes * 1e-6, report.bytesPerMs * 1e-6, report.floorMs(),
+                 build / report.floorMs());
     for (const FramePart part : kFrameParts) {
         const WorkReport& work = report.work[(size_t) part];
         if (work.rays == 0) continue;
@@ -86,6 +93,14 @@ Json frameJson(const Input& input, const FrameReport& report) {
                       {"embree_least_ms", timesJson(report.embree, &Timing::least)},
                       {"embree_most_ms", timesJson(report.embree, &Timing::most)}};
     json["memory"] = {{"dirt_ads", report.dirt.bytes}, {"embree_bvh", report.embree.bytes}};
+    const Timing& morton = report.mortonBuild;
+    json["embree_morton"] = {{"build_ms", morton.median()},
+                             {"build_least_ms", morton.least()},
+                             {"build_most_ms", morton.most()},
+                             {"build_ratio", report.dirt.parts[0].median() / morton.median()}};
+    json["build_floor"] = {{"bytes", report.floorBytes},
+                           {"bandwidth_gb_s", report.bytesPerMs * 1e-6},
+                           {"ms", report.floorMs()}};
     json["list_entries"] = report.listEntries;
     for (const FramePart part : kFrameParts) {
         const size_t p = (size_t) part;
@@ -111,8 +126,9 @@ void runFrame(const BenchOptions& options) {
         const Input input = openInput(common, *executor);
         const auto dirt = makeBackend(common, *executor);
         EmbreeBackend embree(*executor, false, EmbreeDecision::plain);
-        const FrameReport report =
-            benchFrame(input.scene, input.settings, *dirt, embree, *executor, options.rounds);
+        EmbreeBackend morton(*executor, false, EmbreeDecision::plain, EmbreeQuality::low);
+        const FrameReport report = benchFrame(input.scene, input.settings, *dirt, embree, morton,
+                                              *executor, options.rounds);
         if (!options.json || !common.quiet) printFrame(table, input, report);
         scenes.push_back(frameJson(input, report));
     }

@@ -27,12 +27,17 @@ TEST(BenchFrame, JsonHasTimesRatiosWorkAndMemoryOfEachScene) {
     EXPECT_EQ(scene["scene"], "cornell");
     EXPECT_EQ(report["scenes"][1]["triangles"], 1);
     EXPECT_EQ(scene["work"]["primary"]["rays"], 40 * 30);
-    for (const char* part : {"build", "primary", "trace", "shadow"}) {
+    for (const char* part : {"build", "primary", "trace", "shadow", "frame"}) {
         const double dirt = scene["dirt_ms"][part], embree = scene["embree_ms"][part];
         EXPECT_DOUBLE_EQ(scene["ratio"][part], dirt / embree) << part;
         EXPECT_LE(scene["spread"]["dirt_least_ms"][part], dirt) << part;
         EXPECT_GE(scene["spread"]["embree_most_ms"][part], embree) << part;
     }
+    EXPECT_DOUBLE_EQ(scene["embree_morton"]["build_ratio"],
+                     (double) scene["dirt_ms"]["build"] /
+                         (double) scene["embree_morton"]["build_ms"]);
+    EXPECT_EQ(scene["build_floor"]["bytes"], scene["memory"]["dirt_ads"]);
+    EXPECT_GT(scene["build_floor"]["ms"], 0.0);
     EXPECT_GT(scene["memory"]["dirt_ads"], 0);
     EXPECT_GT(scene["memory"]["embree_bvh"], 0);
 }

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/frame/executor.h"
+
+namespace dirt {
+
+/// The memory bandwidth of a large copy on all threads, bytes read and written per millisecond: the
+/// best of a few.
+double measureBandwidth(Executor& executor);
+
+} // namespace dirt
