@@ -206,11 +206,18 @@ void BuildTrees(const FrameGeometry& geometry, const Grid& grid, Leaves& leaves,
             if (count == first) continue;
             lists.push_back({first, count});
         }
-        if (lists.empty())
-            leaves.tiles[tile] = {}; // nothing that a ray hits
-        else
-            TreeBuilder(geometry, leaves, items, leaves.places[tile])
-                .overLists(leaves.nodes[tile], lists);
+        TileDepths& depths = leaves.tiles[tile];
+        if (lists.empty()) {
+            depths = {}; // nothing that a ray hits
+            return;
+        }
+        const View& v = grid.views[view];
+        for (uint32_t i = 0; i < count; ++i) {
+            const float low = items[i].low[v.axisW], high = items[i].high[v.axisW];
+            depths.occupied |= v.signW > 0.0f ? depths.parts(low, high) : depths.parts(-high, -low);
+        }
+        TreeBuilder(geometry, leaves, items, leaves.places[tile])
+            .overLists(leaves.nodes[tile], lists);
     });
 }
 
@@ -227,7 +234,7 @@ float LeafNode::step(int axis) const {
 }
 
 uint64_t Leaves::bytes() const {
-    return tiles.size() * sizeof(DepthBounds) + nodes.size() * sizeof(LeafNode) +
+    return tiles.size() * sizeof(TileDepths) + nodes.size() * sizeof(LeafNode) +
            blocks.size() * sizeof(LeafBlock);
 }
 
@@ -247,7 +254,7 @@ void fillLeaves(const FrameGeometry& geometry, const Grid& grid, Executor& execu
     executor.forRange(tiles, kTilesPerPiece, [&](size_t begin, size_t end) {
         thread_local std::vector<uint32_t> blocks;
         forEachTile(grid, begin, end, [&](int view, int tileInView, size_t tile) {
-            leaves.tiles[tile] = grid.bounds(view, tileInView);
+            leaves.tiles[tile] = TileDepths(grid.bounds(view, tileInView));
             blocks.clear();
             TreeSize& size = leaves.places[tile] = {};
             for (int bin = 0; bin < bins; ++bin) {

@@ -3,7 +3,9 @@
 #include "core/frame/executor.h"
 #include "core/grid/grid.h"
 
+#include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cstdint>
 #include <vector>
 
@@ -39,6 +41,30 @@ struct alignas(64) LeafNode {
 };
 static_assert(sizeof(LeafNode) == 128 && sizeof(LeafBlock) == 320);
 
+/// The depths between which a tile holds anything that a ray hits, and which of 32 equal parts of
+/// them do: most of what a ray passes in mid-air is a gap between a near and a far thing.
+struct TileDepths {
+    static constexpr int kParts = 32;
+    float near = FLT_MAX, far = -FLT_MAX;
+    float partsPerDepth = 0.0f;
+    uint32_t occupied = 0; ///< a bit a part
+
+    TileDepths() = default;
+    explicit TileDepths(const DepthBounds& bounds)
+        : near(bounds.near), far(bounds.far), partsPerDepth(BinMap(bounds, kParts).scale) {}
+
+    /// The parts that depths [\p low, \p high] meet: monotone in both.
+    uint32_t parts(float low, float high) const {
+        return (~0u << partOf(low)) & (~0u >> (kParts - 1 - partOf(high)));
+    }
+
+private:
+    int partOf(float depth) const {
+        const float part = (depth - near) * partsPerDepth;
+        return (int) std::min(std::max(part, 0.0f), (float) (kParts - 1));
+    }
+};
+
 /// The id buffer as it is traced. Each cell's list stands in blocks of eight neighbouring
 /// triangles, and each tile's lists under a tree of nodes, bin by bin at its top, whose boxes hold
 /// the triangles' parts in their cells; so a ray tests few of them. Triangles without area, which
@@ -49,8 +75,8 @@ struct Leaves {
         uint32_t blocks = 0, nodes = 0;
     };
 
-    std::vector<DepthBounds> tiles; ///< in the numbering over all views; empty without triangles
-    std::vector<LeafNode> nodes;    ///< those of the tiles first, in the same numbering
+    std::vector<TileDepths> tiles; ///< in the numbering over all views; empty without triangles
+    std::vector<LeafNode> nodes;   ///< those of the tiles first, in the same numbering
     std::vector<LeafBlock> blocks;
 
     // Kept from frame to frame, while they are filled.

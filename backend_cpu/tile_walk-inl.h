@@ -129,8 +129,8 @@ struct Visit {
     int tile;
 };
 
-/// Calls \p visit(Visit) for the tiles of the view whose depth bounds meet the ray's depths in
-/// them, in the order of t, until one begins after \p limit.
+/// Calls \p visit(Visit) for the tiles of the view that hold anything at the ray's depths in them,
+/// in the order of t, until one begins after \p limit.
 template <class Function>
 HWY_INLINE void walkTiles(const TracedView& view, const ViewPart& part, const double& limit,
                           uint64_t& steps, Function&& visit) {
@@ -184,10 +184,11 @@ HWY_INLINE void walkTiles(const TracedView& view, const ViewPart& part, const do
     const auto pass = [&](double end, double exitDepth) HWY_ATTR {
         const bool last = !(end < part.end);
         if (last) end = part.end, exitDepth = depthAtEnd;
-        const DepthBounds& bounds = view.depths[tile];
+        const TileDepths& bounds = view.depths[tile];
         const float near = (float) (std::min(depth, exitDepth) * (1.0 - 0x1p-21));
         const float far = (float) std::min(std::max(depth, exitDepth) * (1.0 + 0x1p-21), 0x1p100);
-        if ((bounds.near <= far) & (near <= bounds.far))
+        if (((bounds.near <= far) & (near <= bounds.far)) &&
+            (bounds.occupied & bounds.parts(near, far)) != 0)
             visit(Visit{begin, end * (1.0 + 0x1p-48), near, far, tile});
         begin = std::max(begin, end * (1.0 - 0x1p-48));
         depth = exitDepth;

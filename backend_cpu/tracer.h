@@ -30,7 +30,7 @@ struct TracedView {
     int tiles[2];
     const float* borders[2];
     double tilesPerSlope[2];
-    const DepthBounds* depths;
+    const TileDepths* depths;
     const LeafNode* nodes; ///< of its tiles
 };
 
