@@ -9,6 +9,7 @@
 #include "scenes/generate/hangar.h"
 #include "scenes/generate/output.h"
 #include "scenes/generate/scene_text.h"
+#include "scenes/generate/temples.h"
 
 namespace dirt {
 namespace {
@@ -44,6 +45,13 @@ const std::vector<Generator>& table() {
           1e7,
           {"hangar"}},
          generate::makeHangar},
+        {{"temples",
+          "ruined temples on a rocky cape, with islands in the haze",
+          400'000,
+          1e5,
+          1e7,
+          {"temples"}},
+         generate::makeTemples},
     };
     return all;
 }

@@ -73,6 +73,51 @@ double periodicNoise(glm::dvec2 point, int period, std::uint32_t seed) {
     return 1.4 * mix(low, high, fade(y));
 }
 
+double solidNoise(glm::dvec3 point, std::uint32_t seed) {
+    int cell[3];
+    double rest[3];
+    double weight[3];
+    for (int k = 0; k < 3; ++k) {
+        cell[k] = floorOf(point[k]);
+        rest[k] = point[k] - cell[k];
+        weight[k] = fade(rest[k]);
+    }
+    double value[8];
+    for (int corner = 0; corner < 8; ++corner) {
+        const int i = corner & 1;
+        const int j = corner >> 1 & 1;
+        const int k = corner >> 2 & 1;
+        const std::uint32_t hash =
+            hashBits(static_cast<std::uint32_t>(cell[0] + i),
+                     static_cast<std::uint32_t>(cell[1] + j) * 0x9E3779B1u + seed,
+                     static_cast<std::uint32_t>(cell[2] + k));
+        // The twelve edges of a cube, four of them twice.
+        constexpr double gradients[16][3] = {{1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0},
+                                             {1, 0, 1}, {-1, 0, 1}, {1, 0, -1}, {-1, 0, -1},
+                                             {0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1},
+                                             {1, 1, 0}, {-1, 1, 0}, {0, -1, 1}, {0, -1, -1}};
+        const auto& g = gradients[hash >> 28];
+        value[corner] = g[0] * (rest[0] - i) + g[1] * (rest[1] - j) + g[2] * (rest[2] - k);
+    }
+    for (int k = 0; k < 3; ++k) {
+        for (int pair = 0; pair < 4 >> k; ++pair) {
+            value[pair] = mix(value[2 * pair], value[2 * pair + 1], weight[k]);
+        }
+    }
+    return value[0];
+}
+
+double fractalSolidNoise(glm::dvec3 point, int octaves, std::uint32_t seed, double persistence) {
+    double sum = 0;
+    double weight = 1;
+    for (int octave = 0; octave < octaves; ++octave) {
+        sum += weight * solidNoise(point, seed + static_cast<std::uint32_t>(octave) * 101);
+        point *= 2.0;
+        weight *= persistence;
+    }
+    return sum;
+}
+
 double fractalNoise(glm::dvec2 unit, int period, int octaves, std::uint32_t seed,
                     double persistence) {
     double sum = 0;

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 /// Deterministic noise: integer hashes only, so every machine makes the same scene.
 namespace dirt::generate {
@@ -19,6 +20,13 @@ double hashRange(double low, double high, std::uint32_t a, std::uint32_t b = 0,
 
 /// Gradient noise in about [-1, 1] that repeats every `period` cells in both directions.
 double periodicNoise(glm::dvec2 point, int period, std::uint32_t seed);
+
+/// Gradient noise in about [-1, 1] through space, with cells of size 1.
+double solidNoise(glm::dvec3 point, std::uint32_t seed);
+
+/// Octaves of `solidNoise`.
+double fractalSolidNoise(glm::dvec3 point, int octaves, std::uint32_t seed,
+                         double persistence = 0.5);
 
 /// Octaves of `periodicNoise` over the unit square: seamless, the first with `period` cells.
 double fractalNoise(glm::dvec2 unit, int period, int octaves, std::uint32_t seed,

@@ -63,4 +63,16 @@ TextureRecipe floorPaint(Colour paint, std::uint32_t seed);
 /// A label: dark lines of print on a ground, with a bar of colour at the top.
 TextureRecipe printedLabel(Colour ground, Colour print, Colour bar, std::uint32_t seed);
 
+/// Marble after two thousand years: patina, grey crusts, lichen, pits.
+TextureRecipe weatheredMarble();
+
+/// Its height.
+TextureRecipe weatheredRelief();
+
+/// Grey limestone with lichen.
+TextureRecipe limestoneRock();
+
+/// Dry earth with straw, gravel, and a little green.
+TextureRecipe dryGround();
+
 } // namespace dirt::generate

@@ -84,10 +84,36 @@ constexpr std::string_view hangar = R"(<?xml version="1.0" encoding="utf-8"?>
 </world>
 )";
 
+// Late sun from the left, within the dome of the sky.
+constexpr std::string_view temples = R"(<?xml version="1.0" encoding="utf-8"?>
+
+<world background="0.5 0.7 1.0">
+
+    <tracing faces="cubemap" indirect_bounces="2"/>
+
+    <camera name="first_person" aperture="40"/>
+
+    <light name="sun" type="spotlight" active="true" flux="40000000" color="1 0.87 0.68"
+        position="-740 310 130" target="0 0 -120" conical="true" aperture="110" penumbra="108"
+        spotlight_exponent="1.0"/>
+
+    <transformation name="environment" rotation="0,0,1,0" scale="1 1 1" translation="0,0,0">
+        <object name="temples" file="@MODEL@"/>
+    </transformation>
+
+    <user name="default_user"
+        position="0 3.1 1.5" target="0.6 3.9 -20"/>
+
+    <tonemapping name="tone" key="1.2" white="4 4 4"/>
+
+</world>
+)";
+
 constexpr std::pair<std::string_view, std::string_view> texts[] = {
     {"atrium", atrium},
     {"cornell", cornell},
     {"hangar", hangar},
+    {"temples", temples},
 };
 
 } // namespace
