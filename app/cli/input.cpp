@@ -22,8 +22,8 @@ namespace dirt {
 
 namespace {
 
-/// Radiance around a bare OBJ.
-constexpr float kObjBackground = 0.5f;
+/// Radiance around a bare model.
+constexpr float kModelBackground = 0.5f;
 
 /// Names without effect that are printed before every run; info prints them all.
 constexpr size_t kIgnoredShown = 5;
@@ -37,10 +37,9 @@ RenderSettings settingsOf(const SceneSettings& file) {
     return settings;
 }
 
-/// Whether \p file, which could be loaded, is a bare OBJ.
-bool isObj(const std::filesystem::path& file) {
-    const std::string extension = file.extension().string();
-    return extension.size() == 4 && (extension[1] | 0x20) == 'o';
+/// Whether \p file, which could be loaded, is a model alone.
+bool isModel(const std::filesystem::path& file) {
+    return (file.extension().string()[1] | 0x20) != 's';
 }
 
 void print(const LoadedScene& loaded) {
@@ -107,9 +106,9 @@ Input openInput(const CommonOptions& options, Executor& executor) {
         const Standpoint standpoint =
             standpointOf(loaded.scene.mesh, options, input.settings.grid, executor);
         loaded.scene.camera = standpoint.camera;
-        if (isObj(options.scene)) {
+        if (isModel(options.scene)) {
             loaded.scene.lights = {standpoint.light};
-            loaded.scene.background = glm::vec3(kObjBackground);
+            loaded.scene.background = glm::vec3(kModelBackground);
         }
     }
     input.scene = std::move(loaded.scene);

@@ -14,7 +14,7 @@ namespace dirt {
 
 /// What a command with a scene works on.
 struct Input {
-    Scene scene;             ///< with a camera, and a light where the file is a bare OBJ
+    Scene scene;             ///< with a camera, and a light where the file is a bare model
     RenderSettings settings; ///< options over the scene file over the defaults
     int frame = 0;           ///< that the scene is at
     std::vector<Warning> warnings;
@@ -32,7 +32,7 @@ std::unique_ptr<Backend> makeBackend(BackendKind kind, const CommonOptions& opti
                                      Executor& executor);
 
 /// Loads SCENE of \p options and brings it to their frame. A scene without a camera gets one that
-/// shows its frame 0; a bare OBJ also a light and a background. Prints the warnings on standard
+/// shows its frame 0; a bare model also a light and a background. Prints the warnings on standard
 /// error unless --quiet. Throws InputError.
 Input openInput(const CommonOptions& options, Executor& executor);
 

@@ -77,7 +77,7 @@ void addImageOptions(CLI::App& command, CommonOptions& o) {
 } // namespace
 
 void addCommonOptions(CLI::App& command, CommonOptions& o) {
-    command.add_option("SCENE", o.scene, "a .scene or .obj file")->required();
+    command.add_option("SCENE", o.scene, "a .scene, .obj, .gltf or .glb file")->required();
     addSettingsOptions(command, o);
 }
 

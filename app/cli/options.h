@@ -23,7 +23,7 @@ struct ImageSize {
 /// The options that every command with a scene has. What is not given stays empty, and the scene
 /// file's value, or else the default, holds.
 struct CommonOptions {
-    std::string scene; ///< a .scene file or a bare .obj
+    std::string scene; ///< a .scene file or a bare .obj, .gltf or .glb
     BackendKind backend = BackendKind::cpu;
     int device = -1; ///< of OpenGL; -1: the first that works
 

@@ -19,6 +19,19 @@ std::string lowerCaseExtension(const fs::path& file) {
     return extension;
 }
 
+bool isModel(const std::string& extension) {
+    return extension == ".obj" || extension == ".gltf" || extension == ".glb";
+}
+
+/// What is not glTF by its name is OBJ.
+void addModel(const fs::path& file, const glm::dmat4& toWorld, SceneBuilder& builder) {
+    const std::string extension = lowerCaseExtension(file);
+    if (extension == ".gltf" || extension == ".glb")
+        builder.addGltf(file, toWorld);
+    else
+        builder.addObj(file, toWorld);
+}
+
 fs::path findObject(const SceneFile& source, const SceneFile::Object& object) {
     const fs::path folder = source.file.parent_path();
     for (const std::string& directory : source.directories)
@@ -54,7 +67,7 @@ void loadSceneFile(const fs::path& file, SceneBuilder& builder, LoadReport& repo
     scene.animation = source.animation;
     for (const SceneFile::Object& object : source.objects) {
         const size_t positions = scene.mesh.positions.size(), normals = scene.mesh.normals.size();
-        builder.addObj(findObject(source, object), object.toSpace);
+        addModel(findObject(source, object), object.toSpace, builder);
         if (object.space != MovingSpace::kWorld)
             addMovingPart(scene.mesh, object.space, positions, normals, scene.animation);
     }
@@ -67,12 +80,12 @@ LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
     LoadReport report(options.strict);
     SceneBuilder builder(loaded.scene, report);
     const std::string extension = lowerCaseExtension(file);
-    if (extension == ".obj")
-        builder.addObj(file, glm::dmat4(1.0));
+    if (isModel(extension))
+        addModel(file, glm::dmat4(1.0), builder);
     else if (extension == ".scene")
         loadSceneFile(file, builder, report, loaded);
     else
-        failAt(file, 0, "is neither a .scene nor a .obj file");
+        failAt(file, 0, "is no .scene, .obj, .gltf or .glb file");
     if (loaded.scene.mesh.triangles.empty()) failAt(file, 0, "holds no triangles");
 
     SerialExecutor serial;

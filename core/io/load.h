@@ -18,15 +18,16 @@ struct LoadOptions {
 struct LoadedScene {
     Scene scene;
     SceneSettings settings;
-    bool hasCamera = false; ///< whether scene.camera stands where the file says; never for OBJ
-    bool hasLight = false;  ///< whether scene.lights comes from the file; never for OBJ
+    bool hasCamera =
+        false; ///< whether scene.camera stands where the file says; never for a bare model
+    bool hasLight = false; ///< whether scene.lights comes from the file; never for a bare model
     std::vector<Warning> warnings;
     std::vector<std::string> ignored; ///< names of the files that have no effect, each once
 };
 
-/// Loads a .scene or .obj file with all that it names. Throws InputError, one line with file and
-/// line, where the input is bad: see readSceneFile and readObj; no triangles; an object that is
-/// not there; an unknown file type.
+/// Loads a .scene, .obj, .gltf or .glb file with all that it names. Throws InputError, one line
+/// with file and line, where the input is bad: see readSceneFile, readObj and readGltf; no
+/// triangles; an object that is not there; an unknown file type.
 LoadedScene loadScene(const std::filesystem::path& file, const LoadOptions& options = {});
 
 } // namespace dirt

@@ -1,11 +1,11 @@
 #include "core/io/scene_builder.h"
 
-#include "core/io/error.h"
 #include "core/io/find_file.h"
+#include "core/io/place_gltf.h"
 #include "core/io/place_mesh.h"
 #include "core/io/text_file.h"
-#include "core/io/texture_file.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace dirt {
@@ -103,50 +103,68 @@ uint32_t SceneBuilder::addMaterial(const fs::path& library, const MtlMaterial& s
     return entry->second;
 }
 
-template <typename T, typename Read>
-uint32_t SceneBuilder::loadMap(const fs::path& library, const MtlMaterial::Map& map,
-                               const char* what, std::vector<T>& textures, const Read& read) {
-    if (map.file.empty()) return kNoTexture;
-    const fs::path folder = library.parent_path();
-    const std::optional<fs::path> file = findFile(folder, map.file);
-    const std::string key = file ? file->string() : (folder / map.file).string();
-    const auto [entry, isNew] = textures_.try_emplace({key, what}, kNoTexture);
-    if (!isNew) return entry->second;
-
-    const std::string name = "texture " + inQuotes(map.file);
-    if (!file) {
-        report_.warn(WarningKind::unusableTexture, library, map.line, name + " not found");
-        return kNoTexture;
-    }
-    try {
-        std::optional<T> texture = read(*file);
-        if (!texture) return kNoTexture;
-        textures.push_back(std::move(*texture));
-        entry->second = (uint32_t) textures.size() - 1;
-    } catch (const InputError& error) {
-        report_.warn(WarningKind::unusableTexture, library, map.line, name + ": " + error.what());
-    }
-    return entry->second;
+/// The file that a texture statement of \p library names.
+TextureLoader::Source SceneBuilder::sourceOf(const fs::path& library, const MtlMaterial::Map& map) {
+    const auto file = findFile(library.parent_path(), map.file);
+    return {file ? std::optional<ImageFile>(*file) : std::nullopt, map.file, library, map.line};
 }
 
 uint32_t SceneBuilder::loadTexture(const fs::path& library, const MtlMaterial::Map& map) {
-    return loadMap(library, map, "colour", scene_.textures,
-                   [](const fs::path& file) { return std::optional(readTexture(file)); });
+    return map.file.empty() ? kNoTexture : textures_.colour(sourceOf(library, map));
 }
 
 uint32_t SceneBuilder::loadScalars(const fs::path& library, const MtlMaterial::Map& map) {
-    return loadMap(library, map, "data", scene_.scalarTextures,
-                   [](const fs::path& file) { return std::optional(readScalarTexture(file)); });
+    return map.file.empty() ? kNoTexture : textures_.data(sourceOf(library, map));
 }
 
 /// The alpha of map_d, else map_d itself; without one, the alpha of map_Kd.
 uint32_t SceneBuilder::loadOpacity(const fs::path& library, const MtlMaterial& source) {
     const auto loadAlpha = [&](const MtlMaterial::Map& map) {
-        return loadMap(library, map, "alpha", scene_.scalarTextures, readAlpha);
+        return map.file.empty() ? kNoTexture : textures_.alpha(sourceOf(library, map));
     };
     if (source.opacity.file.empty()) return loadAlpha(source.diffuse);
     const uint32_t alpha = loadAlpha(source.opacity);
     return alpha != kNoTexture ? alpha : loadScalars(library, source.opacity);
+}
+
+void SceneBuilder::addGltf(const fs::path& file, const glm::dmat4& toWorld) {
+    const GltfFile gltf = readGltf(file, report_);
+    std::vector<bool> used(gltf.surfaces.size() + 1, false);
+    for (const GltfFile::Instance& instance : gltf.instances)
+        for (const GltfFile::Primitive& primitive : gltf.meshes[instance.mesh])
+            used[std::min<size_t>(primitive.surface, gltf.surfaces.size())] = true;
+    std::vector<uint32_t> places(used.size(), 0);
+    for (size_t i = 0; i < gltf.surfaces.size(); ++i)
+        if (used[i]) places[i] = addSurface(gltf, i);
+    if (used.back()) places.back() = neutralMaterial("");
+    placeGltf(gltf, toWorld, places, scene_.mesh);
+}
+
+uint32_t SceneBuilder::addSurface(const GltfFile& gltf, size_t index) {
+    const auto [entry, isNew] =
+        materials_.try_emplace({gltf.file.string(), "materials[" + std::to_string(index) + "]"},
+                               (uint32_t) scene_.materials.size());
+    if (!isNew) return entry->second;
+    const GltfFile::Surface& surface = gltf.surfaces[index];
+    Material material = surface.material;
+    const auto sourceOf = [&](uint32_t image) { return gltf.images[image].source(gltf.file); };
+    if (surface.colourImage != GltfFile::kNone) {
+        const auto source = sourceOf(surface.colourImage);
+        material.diffuseMap = textures_.colour(source, surface.material.diffuse);
+        if (surface.alphaLimit > 0.0f)
+            material.opacityMap = textures_.alpha(source, surface.alphaLimit);
+    }
+    if (surface.emissionImage != GltfFile::kNone)
+        material.emissionMap = textures_.colour(sourceOf(surface.emissionImage));
+    // Without the texture there is no telling which part of the surface shines.
+    if (surface.emissionImage != GltfFile::kNone && material.emissionMap == kNoTexture)
+        material.emission = glm::vec3(0.0f);
+    if (surface.roughnessImage != GltfFile::kNone)
+        if (const auto means = textures_.means(sourceOf(surface.roughnessImage)))
+            setMetallicRoughness(material, surface.metallic * means->z,
+                                 surface.roughness * means->y);
+    scene_.materials.push_back(std::move(material));
+    return entry->second;
 }
 
 } // namespace dirt

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/io/gltf.h"
 #include "core/io/load_report.h"
 #include "core/io/mtl.h"
 #include "core/io/obj.h"
+#include "core/io/texture_loader.h"
 #include "core/scene/scene.h"
 
 #include <cstdint>
@@ -16,18 +18,22 @@
 
 namespace dirt {
 
-/// Gathers OBJ files, their materials and textures into one Scene. A texture that several
+/// Gathers OBJ and glTF files, their materials and textures into one Scene. A texture that several
 /// materials name is loaded once; so is a material that several files use. Materials that no face
 /// uses are not loaded.
 class SceneBuilder {
 public:
-    SceneBuilder(Scene& scene, LoadReport& report) : scene_(scene), report_(report) {}
+    SceneBuilder(Scene& scene, LoadReport& report)
+        : scene_(scene), report_(report), textures_(scene, report) {}
 
     /// Appends the triangles of an OBJ file, placed by \p toWorld: computed in double, rounded to
     /// float32 once. Throws InputError where the file is bad (see readObj) or a transformed vertex
     /// does not fit in float32. A missing MTL file, an undefined material and a missing or damaged
     /// texture are warnings; Material's defaults stand in.
     void addObj(const std::filesystem::path& file, const glm::dmat4& toWorld);
+
+    /// The same for a glTF file (see readGltf).
+    void addGltf(const std::filesystem::path& file, const glm::dmat4& toWorld);
 
 private:
     using Library = std::map<std::string, std::pair<std::filesystem::path, MtlMaterial>>;
@@ -36,11 +42,10 @@ private:
     void readLibrary(const std::filesystem::path& file, Library& library);
     std::vector<uint32_t> resolveMaterials(const ObjFile& obj);
     uint32_t addMaterial(const std::filesystem::path& library, const MtlMaterial& source);
+    uint32_t addSurface(const GltfFile& gltf, size_t index);
     uint32_t neutralMaterial(const std::string& name);
-    /// Index of the texture that \p map names, as \p read has it; kNoTexture where there is none.
-    template <typename T, typename Read>
-    uint32_t loadMap(const std::filesystem::path& library, const MtlMaterial::Map& map,
-                     const char* what, std::vector<T>& textures, const Read& read);
+    static TextureLoader::Source sourceOf(const std::filesystem::path& library,
+                                          const MtlMaterial::Map& map);
     uint32_t loadTexture(const std::filesystem::path& library, const MtlMaterial::Map& map);
     uint32_t loadScalars(const std::filesystem::path& library, const MtlMaterial::Map& map);
     uint32_t loadOpacity(const std::filesystem::path& library, const MtlMaterial& source);
@@ -49,8 +54,7 @@ private:
     LoadReport& report_;
     /// By MTL file and name; without a file: the stand-ins.
     std::map<std::pair<std::string, std::string>, uint32_t> materials_;
-    /// By path and what is read of it; kNoTexture: could not be read, or is not there.
-    std::map<std::pair<std::string, std::string>, uint32_t> textures_;
+    TextureLoader textures_;
 };
 
 } // namespace dirt

@@ -5,21 +5,38 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <utility>
+
+#include <glm/vec3.hpp>
 
 namespace dirt {
+
+/// An image: a file, or the bytes of a PNG or JPEG file with a name that stands for the file's.
+struct ImageFile {
+    ImageFile(std::filesystem::path file) : name(std::move(file)) {}
+    ImageFile(std::filesystem::path standIn, std::string fileBytes)
+        : name(std::move(standIn)), bytes(std::move(fileBytes)) {}
+
+    std::filesystem::path name;
+    std::optional<std::string> bytes; ///< none: those of the file
+};
 
 /// Reads an image as a colour texture: integer formats as sRGB with 8 bits, float formats as they
 /// are. One channel is grey; alpha is dropped and does not scale the colour. Throws InputError
 /// ("file: what is wrong") where the file is damaged, absurdly large or no image, or where a float
 /// texel is negative or not finite.
-Texture readTexture(const std::filesystem::path& file);
+Texture readTexture(const ImageFile& file);
 
 /// Reads an image as data: its first channel, 8-bit formats as 0 to 1, others as floats. Throws
 /// InputError as readTexture does; a float texel may be negative.
-ScalarTexture readScalarTexture(const std::filesystem::path& file);
+ScalarTexture readScalarTexture(const ImageFile& file);
 
 /// An image's alpha, if it has any that cuts out a part of the image and leaves one: texels below
-/// 1/2 and others. Throws InputError as readTexture does.
-std::optional<ScalarTexture> readAlpha(const std::filesystem::path& file);
+/// \p limit and others. Throws InputError as readTexture does.
+std::optional<ScalarTexture> readAlpha(const ImageFile& file, float limit = 0.5f);
+
+/// The means of an image's first three channels, as data. Throws InputError as readTexture does.
+glm::vec3 readMeans(const ImageFile& file);
 
 } // namespace dirt

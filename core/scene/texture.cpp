@@ -53,4 +53,15 @@ glm::vec3 Texture::sample(glm::vec2 uv) const {
     return blend(upper, lower, y.weight);
 }
 
+Texture Texture::times(glm::vec3 factor) const {
+    std::vector<float> texels;
+    texels.reserve((size_t) width_ * (size_t) height_ * 3);
+    for (int y = 0; y < height_; ++y)
+        for (int x = 0; x < width_; ++x) {
+            const glm::vec3 product = texel(x, y) * factor;
+            texels.insert(texels.end(), {product.x, product.y, product.z});
+        }
+    return Texture(file_, width_, height_, std::move(texels));
+}
+
 } // namespace dirt

@@ -23,6 +23,9 @@ public:
     /// Linear Rec.709 at \p uv (v upwards), bilinear between texel centres, repeating.
     glm::vec3 sample(glm::vec2 uv) const;
 
+    /// This texture with each linear texel multiplied by \p factor, in float.
+    Texture times(glm::vec3 factor) const;
+
     const std::string& file() const { return file_; }
     int width() const { return width_; }
     int height() const { return height_; }

@@ -58,7 +58,7 @@ TEST_F(Load, TheExtensionTellsTheFormat) {
     folder_.write("A.OBJ", kTriangle);
     folder_.write("b.ply", "ply");
     EXPECT_EQ(error("A.OBJ"), "");
-    EXPECT_EQ(error("b.ply"), ": is neither a .scene nor a .obj file");
+    EXPECT_EQ(error("b.ply"), ": is no .scene, .obj, .gltf or .glb file");
     EXPECT_EQ(error("none.obj"), ": no such file");
     EXPECT_EQ(error("none.scene"), ": no such file");
 }

@@ -201,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(
         OddFile{"invalid/empty.obj", 0, 0, 0, 0, ": holds no triangles"},
         OddFile{"invalid/malformed.obj", 0, 0, 0, 0, ":23: v index 12 is out of range (8 present)"},
         OddFile{"invalid/malformed2.obj", 0, 0, 0, 0, ":23: a face needs 3 corners, not 0"},
-        OddFile{"invalid/empty.ply", 0, 0, 0, 0, ": is neither a .scene nor a .obj file"}),
+        OddFile{"invalid/empty.ply", 0, 0, 0, 0, ": is no .scene, .obj, .gltf or .glb file"}),
     [](const auto& info) {
         return fs::path(info.param.file).stem().string() + "_" + std::to_string(info.index);
     });

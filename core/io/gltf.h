@@ -1,0 +1,81 @@
+#pragma once
+
+#include "core/io/gltf_data.h"
+#include "core/io/load_report.h"
+#include "core/io/texture_loader.h"
+#include "core/scene/material.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace dirt {
+
+/// What of a glTF 2.0 file matters to a renderer of still surfaces: its triangles, where its nodes
+/// place them, and its materials.
+struct GltfFile {
+    static constexpr uint32_t kNone = 0xffffffffu;
+
+    /// An image, which is not loaded yet.
+    struct Image {
+        std::string label;                ///< its URI, or its place where it is embedded
+        std::optional<std::string> bytes; ///< of an embedded image file
+
+        /// As what \p gltf names.
+        TextureLoader::Source source(const std::filesystem::path& gltf) const;
+    };
+    /// A material; its textures are places in images.
+    struct Surface {
+        Material material;               ///< without textures; diffuse is to multiply colourImage
+        float metallic, roughness;       ///< that are to multiply roughnessImage
+        float alphaLimit = 0.0f;         ///< alpha of the image below which it is cut out; 0: none
+        uint32_t colourImage = kNone;    ///< base colour, and alpha
+        uint32_t emissionImage = kNone;  ///< times the material's emission
+        uint32_t roughnessImage = kNone; ///< roughness in green, metallic in blue
+        uint64_t texcoordSet = 0;
+    };
+    /// Triangles of one material.
+    struct Primitive {
+        std::vector<glm::vec3> positions; ///< finite
+        std::vector<glm::vec3> normals;   ///< one a position, or none; may hold NaN
+        std::vector<glm::vec2> texcoords; ///< one a position, or none; v downwards; may hold NaN
+        std::vector<std::array<uint32_t, 3>> triangles; ///< into these; in range
+        uint32_t surface = kNone;                       ///< kNone: the default material
+    };
+    /// A mesh, placed by a node.
+    struct Instance {
+        uint32_t mesh;
+        glm::dmat4 toFile;
+    };
+
+    std::filesystem::path file;
+    std::vector<Image> images;
+    std::vector<Surface> surfaces;
+    std::vector<std::vector<Primitive>> meshes;
+    std::vector<Instance> instances; ///< in the order of the nodes, depth first
+};
+
+/// Sets a material's metallic, roughness and reflectance from glTF's two numbers: a distribution as
+/// wide as the roughness squared, and a Fresnel term that begins at 0.04 for what is no metal.
+void setMetallicRoughness(Material& material, float metallic, float roughness);
+
+/// Reads a glTF 2.0 file, .gltf or .glb, with the buffers it names: the nodes of its scene (or all
+/// that are no one's children), triangles, strips and fans, sparse accessors too. Points, lines,
+/// skins, morph targets and animations are skipped; what else has no effect is reported as ignored.
+/// Throws InputError, "file: meshes[3].primitives[0] …", where the file is malformed, a value is of
+/// the wrong kind or out of range, an accessor reaches beyond its data, a position is not finite, a
+/// node is its own ancestor or has two parents, or there are absurdly many triangles.
+///
+/// tinygltf is not used here: it takes values of the wrong kind for absent ones, checks no ranges,
+/// reads up to eight bytes beyond a .glb whose chunk is too long, and decodes images by itself.
+GltfFile readGltf(const std::filesystem::path& file, LoadReport& report);
+
+} // namespace dirt

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/io/json_value.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dirt {
+
+/// The container of a glTF 2.0 file, .gltf or .glb: its JSON, and the bytes that accessors and
+/// images lie in. Every range is checked against what holds it.
+class GltfData {
+public:
+    /// Reads the file and the external buffers that it names. Throws InputError where it is not
+    /// well-formed, not of version 2, requires an extension that is not known here, or a buffer is
+    /// missing or too short.
+    explicit GltfData(const std::filesystem::path& file);
+    GltfData(const GltfData&) = delete; // values refer to the document
+    GltfData& operator=(const GltfData&) = delete;
+
+    const JsonValue& root() const { return *root_; }
+
+    /// The bytes of a buffer view. \p from says what refers to it.
+    std::span<const std::byte> view(uint64_t index, const JsonValue& from) const;
+    /// The elements of an accessor of float vectors with so many components, or of normalized
+    /// integers where \p orNormalized; one after the other. May hold NaN and infinity.
+    std::vector<float> floats(uint64_t index, const JsonValue& from, size_t components,
+                              bool orNormalized = false) const;
+    /// The elements of an accessor of scalar unsigned integers.
+    std::vector<uint32_t> indices(uint64_t index, const JsonValue& from) const;
+
+private:
+    struct Elements {
+        uint64_t componentType;
+        bool normalized;
+        std::vector<std::byte> bytes; ///< one after the other, without gaps
+    };
+
+    void readBinary(std::span<const std::byte> bytes);
+    void readBuffers();
+    void overwriteSparse(const JsonValue& accessor, uint64_t count, size_t elementBytes,
+                         std::vector<std::byte>& bytes) const;
+    Elements elements(const JsonValue& accessor, const char* type, size_t components) const;
+
+    std::filesystem::path file_;
+    std::string bytes_; ///< of the file
+    std::string_view json_;
+    std::span<const std::byte> binary_; ///< the chunk of a .glb
+    nlohmann::json document_;
+    std::unique_ptr<JsonValue> root_;
+    std::vector<JsonValue> accessors_, views_;
+    std::vector<std::string> loaded_; ///< buffers that are not the chunk
+    std::vector<std::span<const std::byte>> buffers_;
+};
+
+/// The bytes of a data: URI; nothing where \p uri is none. Throws InputError at \p from where it is
+/// malformed.
+std::optional<std::string> decodeDataUri(std::string_view uri, const JsonValue& from);
+
+/// \p uri with %20 and the like decoded.
+std::string decodeUri(std::string_view uri);
+
+} // namespace dirt

@@ -1,0 +1,100 @@
+#include "core/io/place_gltf.h"
+
+#include "core/io/number.h"
+#include "core/scene/transform.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+namespace dirt {
+
+namespace {
+
+/// One primitive on its way into the mesh. Only vertices that a triangle has get there.
+class PrimitivePlacer {
+public:
+    PrimitivePlacer(const GltfFile& gltf, const GltfFile::Primitive& source,
+                    const glm::dmat4& toWorld, Mesh& mesh)
+        : gltf_(gltf), source_(source), toWorld_(toWorld),
+          normalToWorld_(normalMatrix(glm::dmat3(toWorld))), mesh_(mesh),
+          vertices_(source.positions.size()) {}
+
+    void place(uint32_t material) {
+        for (const auto& triangle : source_.triangles) {
+            Corners positions, normals, texcoords;
+            for (size_t i = 0; i < 3; ++i) {
+                const Vertex& vertex = placed(triangle[i]);
+                positions[i] = vertex.position;
+                normals[i] = vertex.normal;
+                texcoords[i] = vertex.texcoord;
+            }
+            mesh_.triangles.push_back(positions);
+            mesh_.normalIndices.push_back(allOrNone(normals));
+            mesh_.texcoordIndices.push_back(allOrNone(texcoords));
+            mesh_.materials.push_back(material);
+        }
+    }
+
+private:
+    /// Where a vertex is in the mesh.
+    struct Vertex {
+        uint32_t position = kNoIndex; ///< before its first use
+        uint32_t normal = kNoIndex, texcoord = kNoIndex;
+    };
+
+    static Corners allOrNone(const Corners& c) {
+        const bool all = std::find(c.begin(), c.end(), kNoIndex) == c.end();
+        return all ? c : Corners{kNoIndex, kNoIndex, kNoIndex};
+    }
+
+    const Vertex& placed(uint32_t index) {
+        Vertex& vertex = vertices_[index];
+        if (vertex.position != kNoIndex) return vertex;
+        const glm::dvec3 p(toWorld_ * glm::dvec4(source_.positions[index], 1.0));
+        if (!fitsFloat(p))
+            failAt(gltf_.file, 0, "a vertex does not fit in float32 after its transformation");
+        vertex.position = (uint32_t) mesh_.positions.size();
+        mesh_.positions.emplace_back(p);
+        if (!source_.normals.empty()) placeNormal(source_.normals[index], vertex);
+        if (!source_.texcoords.empty()) placeTexcoord(source_.texcoords[index], vertex);
+        return vertex;
+    }
+
+    void placeNormal(glm::vec3 normal, Vertex& vertex) {
+        const glm::dvec3 n = normalToWorld_ * glm::dvec3(normal);
+        const double length = std::sqrt(glm::dot(n, n));
+        if (!(length > 0.0 && std::isfinite(length))) return;
+        vertex.normal = (uint32_t) mesh_.normals.size();
+        mesh_.normals.emplace_back(n / length);
+    }
+
+    /// glTF's v runs downwards.
+    void placeTexcoord(glm::vec2 uv, Vertex& vertex) {
+        if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return;
+        vertex.texcoord = (uint32_t) mesh_.texcoords.size();
+        mesh_.texcoords.emplace_back(uv.x, 1.0f - uv.y);
+    }
+
+    const GltfFile& gltf_;
+    const GltfFile::Primitive& source_;
+    glm::dmat4 toWorld_;
+    glm::dmat3 normalToWorld_;
+    Mesh& mesh_;
+    std::vector<Vertex> vertices_;
+};
+
+} // namespace
+
+void placeGltf(const GltfFile& gltf, const glm::dmat4& toWorld,
+               const std::vector<uint32_t>& materials, Mesh& mesh) {
+    for (const GltfFile::Instance& instance : gltf.instances)
+        for (const GltfFile::Primitive& primitive : gltf.meshes[instance.mesh])
+            PrimitivePlacer(gltf, primitive, toWorld * instance.toFile, mesh)
+                .place(primitive.surface == GltfFile::kNone ? materials.back()
+                                                            : materials[primitive.surface]);
+}
+
+} // namespace dirt

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/io/load_report.h"
+#include "core/io/texture_file.h"
+#include "core/scene/scene.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace dirt {
+
+/// Loads the textures that materials name into a Scene, each once. One that is not there or damaged
+/// is a warning, and kNoTexture.
+class TextureLoader {
+public:
+    /// An image, and what names it.
+    struct Source {
+        std::optional<ImageFile> image; ///< none: it is not there
+        std::string label;              ///< as written
+        std::filesystem::path namedBy;
+        size_t line = 0; ///< there
+    };
+
+    TextureLoader(Scene& scene, LoadReport& report) : scene_(scene), report_(report) {}
+
+    /// In Scene::textures: the image times \p factor.
+    uint32_t colour(const Source& source, glm::vec3 factor = glm::vec3(1.0f));
+    /// In Scene::scalarTextures: the image's first channel.
+    uint32_t data(const Source& source);
+    /// In Scene::scalarTextures: the image's alpha, if it cuts out a part (see readAlpha).
+    uint32_t alpha(const Source& source, float limit = 0.5f);
+    /// The means of the first three channels, as data.
+    std::optional<glm::vec3> means(const Source& source);
+
+private:
+    /// Nothing: the image has no such part. A text: why it could not be read.
+    using Result = std::variant<std::monostate, Texture, ScalarTexture, glm::vec3, std::string>;
+    using Read = std::function<Result(const ImageFile&)>;
+
+    Result read(const Source& source, const Read& read);
+    template <typename T>
+    uint32_t load(const Source& source, const std::string& what, std::vector<T>& textures,
+                  const Read& read);
+
+    Scene& scene_;
+    LoadReport& report_;
+    std::vector<glm::vec3> means_;
+    /// By path, or label where there is none, and what is read of it.
+    std::map<std::pair<std::string, std::string>, uint32_t> places_;
+};
+
+} // namespace dirt
