@@ -18,7 +18,7 @@ layout(local_size_x = 64) in;
 struct State {
     int phase;
     uint pendingViews;
-    int view, level, offer;
+    int view, level;
     uint at;  // kEye: place in the list; kList: node
     ivec2 tile;
     uvec2 begin, depth; // doubles
@@ -59,7 +59,7 @@ layout(location = 6) uniform bool masked; // paths: only those that the mask lea
 layout(location = 7) uniform uint firstPixel; // paths: that of the first ray
 
 // What a turn does; a ray begins with the first.
-const int kBegin = 0, kEye = 1, kNextView = 2, kStep = 3, kOffer = 4, kList = 5, kDone = 6;
+const int kBegin = 0, kEye = 1, kNextView = 2, kStep = 3, kLeave = 4, kList = 5, kDone = 6;
 
 /// What is known of the ray so far.
 struct Search {
@@ -130,7 +130,7 @@ uint headOf(int view, ivec2 tile, int bin) {
 /// A search in a view, in the midst of it.
 struct Walker {
     ViewWalk walk;
-    int phase, level, offer;
+    int phase, level;
     uint pendingViews, at;
     Exit exit;
     bool empty; // the cell's depth bounds do not meet the ray's depths
@@ -149,22 +149,10 @@ void examineCell(inout Walker w) {
     w.empty = double(bounds.y) < low || double(-bounds.x) > high; // bounds: (-near, far)
 }
 
-/// Offers the tile of the walk, or at a corner one of both neighbours. True if it is to be visited.
+/// Offers the tile of the walk. True if it is to be visited.
 bool openTile(inout Walker w, Search search) {
-    precise double begin = w.exit.begin * (1.0LF - kCrossingSlack);
-    precise double end = w.exit.end * (1.0LF + kCrossingSlack);
-    double near = w.exit.near, far = w.exit.far;
-    ivec2 tile = w.exit.border - ivec2(greaterThan(w.walk.ray.step, ivec2(0)));
-    if (w.offer == 1) tile.x += w.walk.ray.step.x;
-    if (w.offer == 2) tile.y += w.walk.ray.step.y;
-    if (w.offer == 0) {
-        tile = w.walk.tile;
-        begin = w.walk.begin;
-        near = min(w.walk.depth, near);
-        far = max(w.walk.depth, far);
-    }
-    if (!offerTile(w.walk.view, tile, begin, end, near, far, w.visit)) return false;
-    vec2 bounds = texelFetch(pyramid, ivec3(tile, w.walk.view), 0).xy;
+    if (!offerTile(w.walk, w.exit, w.visit)) return false;
+    vec2 bounds = texelFetch(pyramid, ivec3(w.walk.tile, w.walk.view), 0).xy;
     w.map = binMap(vec2(-bounds.x, bounds.y), grid.bins);
     w.receding = toView(w.walk.view, search.ray.direction).z >= 0.0;
     w.bin = binOf(w.map, w.receding ? w.visit.near : w.visit.far, grid.bins);
@@ -227,8 +215,7 @@ void turn(inout Walker w, inout Search search) {
             if (w.receding ? w.bin <= w.last : w.bin >= w.last) {
                 w.at = headOf(w.walk.view, w.visit.tile, w.bin);
             } else {
-                ++w.offer;
-                w.phase = kOffer;
+                w.phase = kLeave;
             }
         }
     } else if (w.phase == kStep) {
@@ -237,20 +224,15 @@ void turn(inout Walker w, inout Search search) {
             w.phase = kNextView;
         } else if (!w.empty && w.level > 0) {
             --w.level;
+        } else if (!w.empty && openTile(w, search)) {
+            bool any = w.receding ? w.bin <= w.last : w.bin >= w.last;
+            w.at = any ? headOf(w.walk.view, w.visit.tile, w.bin) : kNoNode;
+            w.phase = kList;
         } else {
-            w.offer = w.empty ? 1 : 0;
-            w.phase = kOffer;
+            w.phase = kLeave;
         }
-    } else if (w.phase == kOffer) {
-        if (w.offer < (w.exit.order == 0 ? 3 : 1)) {
-            if (openTile(w, search)) {
-                bool any = w.receding ? w.bin <= w.last : w.bin >= w.last;
-                w.at = any ? headOf(w.walk.view, w.visit.tile, w.bin) : kNoNode;
-                w.phase = kList;
-            } else {
-                ++w.offer;
-            }
-        } else if (w.exit.order == 2 || !advance(w.walk, w.exit, w.level)) {
+    } else if (w.phase == kLeave) {
+        if (w.exit.order == 2 || !advance(w.walk, w.exit, w.level)) {
             w.phase = kNextView;
         } else {
             int mask = (2 << w.level) - 1;
@@ -343,7 +325,6 @@ Walker resumed(State state, inout Search search, Hit best) {
     w.phase = state.phase;
     w.pendingViews = state.pendingViews;
     w.level = state.level;
-    w.offer = state.offer;
     w.at = state.at;
     if (w.phase < kStep || w.phase == kDone) return w;
     ViewSpan span;
@@ -383,7 +364,7 @@ void main() {
     if (state.phase == kBegin && given.direction != vec3(0.0)) atomicAdd(traced, 1u);
     if (w.phase == kDone && search.best.primitive != kNoPrimitive) atomicAdd(found, 1u);
     hits[index] = search.best;
-    states[index] = State(w.phase, w.pendingViews, w.walk.view, w.level, w.offer, w.at,
-                          w.walk.tile, unpackDouble2x32(w.walk.begin),
+    states[index] = State(w.phase, w.pendingViews, w.walk.view, w.level, w.at, w.walk.tile,
+                          unpackDouble2x32(w.walk.begin),
                           unpackDouble2x32(w.walk.depth), w.bin, search.located ? 1u : 0u);
 }

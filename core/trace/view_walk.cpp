@@ -61,6 +61,11 @@ ViewWalk::Exit ViewWalk::exitOf(int level) const {
     const ViewRay::Crossing x = ray_.stepX != 0 ? ray_.column(s) : ViewRay::Crossing{};
     const ViewRay::Crossing y = ray_.stepY != 0 ? ray_.row(t) : ViewRay::Crossing{};
     exit.order = x.valid && y.valid ? ray_.order(s, t) : x.valid ? 1 : y.valid ? -1 : 2;
+    if (exit.order == 0) { // along the rim, if only one border is one
+        const bool columnRim = exit.columnBorder == 0 || exit.columnBorder == tiles.columns;
+        const bool rowRim = exit.rowBorder == 0 || exit.rowBorder == tiles.rows;
+        exit.order = (int) rowRim - (int) columnRim;
+    }
     switch (exit.order) {
     case 1:
         exit.begin = exit.end = x.t, exit.near = exit.far = x.depth;
@@ -99,8 +104,7 @@ bool ViewWalk::advance(const Exit& exit, int level) {
                             ray_.stepY > 0 ? std::min(row + (1 << level), tiles.rows) - 1 : row,
                             exit.begin);
     begin_ = std::max(begin_, exit.begin * (1.0 - kCrossingSlack));
-    // At a corner the two depths differ by rounding alone or bracket the corner's visits; the
-    // earlier one is the one farther back along the ray.
+    // At a corner the earlier depth is the one farther back along the ray.
     depth_ = ray_.direction.z > 0.0 ? exit.near : exit.far;
     return column_ >= 0 && row_ >= 0 && column_ < tiles.columns && row_ < tiles.rows;
 }

@@ -19,10 +19,25 @@ struct TileVisit {
 /// Walks a ray through the tiles of one view, up and down the depth pyramid (T1).
 ///
 /// The walk keeps the tile (column, row) it is in; which border comes next is decided by the side
-/// on which the tile's corner lies of the ray's image. Where rounding leaves that open, both
-/// neighbours at the corner are visited. Where a row (or column) has to be found anew, at the
-/// view's rim or after a step over a larger cell, the earliest that the ray may be in is taken:
-/// being behind costs a visit, being ahead would lose one.
+/// on which the tile's corner lies of the ray's image. Where a row (or column) has to be found
+/// anew, at the view's rim or after a step over a larger cell, the earliest that the ray may be in
+/// is taken: being behind costs a visit, being ahead would lose one.
+///
+/// Where rounding leaves open which border comes first, the walk goes on in the tile beyond the
+/// corner. The neighbour that the ray may pass between its crossings A and B of the two borders
+/// needs no visit. With V = m . (s, t, 1) at the corner C, the bound in order() gives
+/// |V| < 2^-48 (|m_x s| + |m_y t|), so the image passes C at a distance d < 2^-47 S, S the length
+/// of the view's greatest slopes; guard bands are wider than 2^-22 S (1/512 of a tile, 8192 tiles).
+/// Between A and B the image is the hypotenuse of a right triangle with C at the right angle, whose
+/// other sides lie on the borders. The foot F of the altitude on C divides it: what lies between A
+/// and F is within |CF| = d of CA, a side of the tile that is left, and what lies between F and B
+/// within d of CB, a side of the tile that is entered or, where CB is longer, of those that follow
+/// it along the border, each visited from where the ray enters its row or column. The tiles before
+/// and beyond C are visited with the parameters and depths from A to B. The same holds of a cell
+/// that is stepped over, whose bounds hold all that its tiles list.
+///
+/// At the view's rim there is no tile beyond: the walk goes along the rim until it is certain that
+/// the ray has crossed it, which a ray close to the eye may do many tiles later.
 class ViewWalk {
 public:
     /// Starts at the begin of \p span. Not valid if the ray touches the cone in the eye alone.
@@ -63,13 +78,11 @@ template <class Visit>
 void ViewWalk::run(const double& limit, uint64_t& steps, Visit&& visit) {
     // Depths are exact to 2^-51; twice that at the ends, with room.
     constexpr double kSlack = 0x1p-48;
-    const auto offer = [&](int column, int row, double begin, double end, double near, double far) {
-        const DepthPyramid::Level& tiles = pyramid_.levels[0];
-        if (column < 0 || row < 0 || column >= tiles.columns || row >= tiles.rows) return;
-        const DepthBounds& bounds = tiles.at(column, row);
+    const auto offer = [&](double end, double near, double far) {
+        const DepthBounds& bounds = pyramid_.levels[0].at(column_, row_);
         const float lo = roundDown(near * (1.0 - kSlack)), hi = roundUp(far * (1.0 + kSlack));
         if (bounds.far < lo || bounds.near > hi) return;
-        visit(TileVisit{view_, row * tiles.columns + column, begin, end, lo, hi});
+        visit(TileVisit{view_, row_ * pyramid_.levels[0].columns + column_, begin_, end, lo, hi});
     };
 
     int level = top_;
@@ -83,17 +96,8 @@ void ViewWalk::run(const double& limit, uint64_t& steps, Visit&& visit) {
             --level;
             continue;
         }
-        if (!empty) offer(column_, row_, begin_, exit.end * (1.0 + kCrossingSlack), near, far);
-        if (exit.order == 2) return;
-        if (exit.order == 0) {
-            const double begin = exit.begin * (1.0 - kCrossingSlack);
-            const double end = exit.end * (1.0 + kCrossingSlack);
-            const int lastColumn = ray_.stepX > 0 ? exit.columnBorder - 1 : exit.columnBorder;
-            const int lastRow = ray_.stepY > 0 ? exit.rowBorder - 1 : exit.rowBorder;
-            offer(lastColumn + ray_.stepX, lastRow, begin, end, exit.near, exit.far);
-            offer(lastColumn, lastRow + ray_.stepY, begin, end, exit.near, exit.far);
-        }
-        if (!advance(exit, level)) return;
+        if (!empty) offer(exit.end * (1.0 + kCrossingSlack), near, far);
+        if (exit.order == 2 || !advance(exit, level)) return;
         // Up again where a border of the next coarser level was crossed.
         const int mask = (2 << level) - 1;
         const bool coarser = (exit.order >= 0 && (exit.columnBorder & mask) == 0) ||

@@ -95,6 +95,10 @@ Exit exitOf(ViewWalk walk, int level) {
                  : x.valid          ? 1
                  : y.valid          ? -1
                                     : 2;
+    if (exit.order == 0) { // along the rim, if only one border is one
+        bvec2 low = equal(exit.border, ivec2(0)), high = equal(exit.border, gridSize());
+        exit.order = int(low.y || high.y) - int(low.x || high.x);
+    }
     if (exit.order == 2) { // stays in this cell: for ever, or until it reaches the eye
         exit.begin = exit.end = walk.end;
         exit.near = exit.far = walk.ray.direction.z > 0.0LF   ? infinity()
@@ -129,12 +133,12 @@ bool advance(inout ViewWalk walk, Exit exit, int level) {
     return all(greaterThanEqual(walk.tile, ivec2(0))) && all(lessThan(walk.tile, gridSize()));
 }
 
-/// Whether the depth bounds of a tile of the view meet the ray's depths there.
-bool offerTile(int view, ivec2 tile, double begin, double end, double near, double far,
-               out TileVisit visit) {
-    visit = TileVisit(tile, begin, end, 0.0, 0.0);
-    if (any(lessThan(tile, ivec2(0))) || any(greaterThanEqual(tile, gridSize()))) return false;
-    vec2 bounds = texelFetch(pyramid, ivec3(tile, view), 0).xy;
+/// Whether the depth bounds of the tile meet the ray's depths until it leaves it.
+bool offerTile(ViewWalk walk, Exit exit, out TileVisit visit) {
+    precise double end = exit.end * (1.0LF + kCrossingSlack);
+    visit = TileVisit(walk.tile, walk.begin, end, 0.0, 0.0);
+    double near = min(walk.depth, exit.near), far = max(walk.depth, exit.far);
+    vec2 bounds = texelFetch(pyramid, ivec3(walk.tile, walk.view), 0).xy;
     precise double low = near * (1.0LF - kDepthSlack);
     precise double high = far * (1.0LF + kDepthSlack);
     visit.near = roundDown(low);

@@ -1,4 +1,5 @@
 #include "core/trace/traverse.h"
+#include "tests/support/border_rays.h"
 #include "tests/support/exact_point.h"
 #include "tests/support/grid_rays.h"
 #include "tests/support/print.h"
@@ -194,6 +195,37 @@ TEST(Visit, EveryPointOfTheRayIsInAVisitedCell) {
         ADD_FAILURE() << count << " points lost, rays " << kind;
     EXPECT_GT(points, 10'000);
     EXPECT_GT(visits, points);
+}
+
+TEST(Visit, RaysAlongABorderAreFollowedUntilTheyCrossIt) {
+    Random random(4);
+    int points = 0;
+    for (int i = 0; i < cases(200, 2000); ++i) {
+        ViewSet set = fullViews(random.pick({37, 64, 100, 256}), 1);
+        set.settings.bins = random.pick({1, 16});
+        set.settings.traversal = random.chance(0.3) ? Traversal::linear : Traversal::hierarchical;
+        const Grid grid = madeGrid(random, set);
+        const VisitTest test{set, grid, random};
+        const int v = random.below(6);
+        const View& view = set.views[(size_t) v];
+        const float side = random.chance(0.5) ? 1.0f : -1.0f;
+        const float slope = (float) random.sign() * random.pick({1.0f, 1.0f, 0.5f, 0.25f});
+        const Ray r = rayAlong(view, slope, random.chance(0.5), random.range(-24, -19),
+                               (float) random.range(-3, 3) * 0.25f, side);
+        const ExactRay exact(r);
+        std::unordered_set<size_t> cells;
+        visitCells(grid, r,
+                   [&](int view, int tile, int bin) { cells.insert(grid.cell(view, tile, bin)); });
+        for (int k = 0; k < 64; ++k) {
+            // Up to the crossing at t = 1, in steps of a fraction of the view.
+            const double before = std::pow(2.0, random.uniform(-30, -17));
+            const std::string wrong = test.lost(exact, exact.parameter(1.0 - before), cells);
+            ASSERT_EQ(wrong, "") << describe(set, grid, {r, "along a border"}) << " t 1 - "
+                                 << before;
+            ++points;
+        }
+    }
+    EXPECT_GT(points, 1000);
 }
 
 /// Of the cells whose interior the ray passes; where it only touches one, or runs along a border
