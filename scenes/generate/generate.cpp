@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "scenes/generate/atrium.h"
+#include "scenes/generate/bunny.h"
 #include "scenes/generate/cornell.h"
 #include "scenes/generate/hangar.h"
 #include "scenes/generate/output.h"
@@ -31,6 +32,13 @@ const std::vector<Generator>& table() {
           1e7,
           {"atrium"}},
          generate::makeAtrium},
+        {{"bunny",
+          "a stoneware rabbit in the furnished corner of a room",
+          300'000,
+          6e4,
+          1e7,
+          {"bunny_day", "bunny_night"}},
+         generate::makeBunny},
         {{"cornell",
           "the Cornell box with a lamp panel and a spotlight under it",
           36,

@@ -75,4 +75,16 @@ TextureRecipe limestoneRock();
 /// Dry earth with straw, gravel, and a little green.
 TextureRecipe dryGround();
 
+/// A glaze with specks of iron.
+TextureRecipe speckledGlaze(Colour glaze, Colour speck);
+
+/// A knotted carpet, whole: border, field, medallion.
+TextureRecipe carpet();
+
+/// The edges of a book's pages, across the second axis.
+TextureRecipe pages();
+
+/// A painted landscape: hills and a lake in the evening.
+TextureRecipe landscape();
+
 } // namespace dirt::generate

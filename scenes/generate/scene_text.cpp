@@ -109,11 +109,58 @@ constexpr std::string_view temples = R"(<?xml version="1.0" encoding="utf-8"?>
 </world>
 )";
 
+// Morning sun through the window, the lamp faint beside it; and the lamp alone, in moonlight.
+constexpr std::string_view bunnyDay = R"(<?xml version="1.0" encoding="utf-8"?>
+
+<world background="3.0 3.4 4.0">
+
+    <tracing faces="cubemap" indirect_bounces="2"/>
+
+    <camera name="first_person" aperture="33"/>
+
+    <light name="sun" type="spotlight" active="true" flux="1200" color="1 0.86 0.64"
+        position="-7.33 5.34 -4.53" target="0.14 0.2 0.33" conical="true" aperture="34"
+        penumbra="32" spotlight_exponent="1.0"/>
+
+    <transformation name="environment" rotation="0,0,1,0" scale="1 1 1" translation="0,0,0">
+        <object name="bunny" file="@MODEL@"/>
+    </transformation>
+
+    <user name="default_user"
+        position="0.30 0.60 2.45" target="-0.02 0.43 -0.4"/>
+
+    <tonemapping name="tone" key="0.75" white="7 7 7"/>
+
+</world>
+)";
+
+constexpr std::string_view bunnyNight = R"(<?xml version="1.0" encoding="utf-8"?>
+
+<world background="0.05 0.075 0.13">
+
+    <tracing faces="cubemap" indirect_bounces="2"/>
+
+    <camera name="first_person" aperture="33"/>
+
+    <light name="lamp" type="spotlight" active="true" flux="100" color="1 0.74 0.46"
+        position="-0.885 0.824 0.0" target="-0.83 0 0.02" conical="true" aperture="168"
+        penumbra="130" spotlight_exponent="1.0"/>
+
+    <transformation name="environment" rotation="0,0,1,0" scale="1 1 1" translation="0,0,0">
+        <object name="bunny" file="@MODEL@"/>
+    </transformation>
+
+    <user name="default_user"
+        position="0.30 0.60 2.45" target="-0.02 0.43 -0.4"/>
+
+    <tonemapping name="tone" key="1.5" white="2.2 2.2 2.2"/>
+
+</world>
+)";
+
 constexpr std::pair<std::string_view, std::string_view> texts[] = {
-    {"atrium", atrium},
-    {"cornell", cornell},
-    {"hangar", hangar},
-    {"temples", temples},
+    {"atrium", atrium},   {"bunny_day", bunnyDay}, {"bunny_night", bunnyNight},
+    {"cornell", cornell}, {"hangar", hangar},      {"temples", temples},
 };
 
 } // namespace

@@ -134,7 +134,9 @@ std::vector<std::pair<std::string, double>> wishes() {
     for (const dirt::GeneratorInfo& info : dirt::generators()) {
         if (info.name == "cornell") continue; // has no ornament that could go
         all.emplace_back(info.name, info.minDetail);
-        all.emplace_back(info.name, info.defaultDetail);
+        if (info.name == "atrium" || dirt::test::fullTests()) {
+            all.emplace_back(info.name, info.defaultDetail);
+        }
         if (dirt::test::fullTests()) all.emplace_back(info.name, 1e6);
     }
     return all;
