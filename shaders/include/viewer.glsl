@@ -3,10 +3,10 @@
 
 #include "include/frame.glsl"
 #include "include/paths.glsl"
+#include "shared/reflection.h"
+#include "shared/surface.h"
 #if DIRT_GLOSS
 #include "shared/glossy_reflection.h"
-#else
-#include "shared/reflection.h"
 #endif
 
 #if DIRT_GLOSS
