@@ -48,7 +48,9 @@ private:
         const WideInts end = hn::Set(di, (int32_t) count), last = hn::Sub(end, hn::Set(di, 1));
         for (uint32_t i = 0; i < count; i += lanes) {
             const WideInts id = hn::Iota(di, (int32_t) i);
-            const InOneTile single(tables_, Vertices(triangles_, hn::Min(id, last)));
+            const InOneTile single(tables_, i + lanes <= count
+                                                ? WideVertices::from(triangles_ + i)
+                                                : WideVertices::at(triangles_, hn::Min(id, last)));
             const auto exists = hn::RebindMask(d, hn::Lt(id, end));
             const auto is = hn::And(single.is, exists), isNot = hn::AndNot(single.is, exists);
             const auto keep = [&](auto tag, auto* to, auto v, auto mask)
@@ -77,7 +79,7 @@ private:
         const uint32_t count = std::min(lanes, restCount_ - begin);
         for (uint32_t i = count; i < lanes; ++i) rest_[begin + i] = rest_[begin];
         const uint32_t exist = (1u << count) - 1;
-        const Vertices vertices(triangles_, hn::LoadU(di, rest_ + begin));
+        const WideVertices vertices = WideVertices::at(triangles_, hn::LoadU(di, rest_ + begin));
         auto ordinary = areOrdinary(vertices);
         if (!tables_.ordinary) ordinary = hn::Lt(hn::Zero(d), hn::Zero(d));
         uint32_t any = 0;
@@ -98,7 +100,7 @@ private:
         }
     }
 
-    void findAtEye(const Vertices& t, uint32_t exist, const int32_t* rest) {
+    void findAtEye(const WideVertices& t, uint32_t exist, const int32_t* rest) {
         const WideTag d;
         const Wide zero = hn::Zero(d);
         auto aside = hn::Lt(zero, zero);

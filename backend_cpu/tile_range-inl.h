@@ -8,6 +8,7 @@
 #define DIRT_TILE_RANGE_INL_H_
 #endif
 
+#include "backend_cpu/load_triangles-inl.h"
 #include "backend_cpu/raster_tables.h"
 #include "backend_cpu/simd_mask-inl.h"
 #include "core/grid/coverage.h"
@@ -41,17 +42,7 @@ inline constexpr size_t kMaxWide = 16;
 
 inline constexpr float kSmallest = 0x1p-30f, kLargest = 0x1p20f;
 
-/// The vertices of several triangles, [vertex][component].
-struct Vertices {
-    Wide v[3][3];
-
-    HWY_INLINE Vertices(const Triangle* triangles, WideInts index) {
-        const WideTag d;
-        const auto* floats = reinterpret_cast<const float*>(triangles);
-        const WideInts at = hn::Add(hn::ShiftLeft<3>(index), index);
-        for (int i = 0; i < 9; ++i) v[i / 3][i % 3] = hn::GatherIndex(d, floats + i, at);
-    }
-};
+using WideVertices = Vertices<WideTag>;
 
 HWY_INLINE Wide min3(Wide a, Wide b, Wide c) {
     return hn::Min(hn::Min(a, b), c);
@@ -69,7 +60,7 @@ struct InOneTile {
     WideInts tile;  ///< over all views
     Wide near, far; ///< depths of the vertices
 
-    HWY_INLINE InOneTile(const RasterTables& tables, const Vertices& t) {
+    HWY_INLINE InOneTile(const RasterTables& tables, const WideVertices& t) {
         const WideTag d;
         const WideIntTag di;
         Wide x[3], y[3], w[3];
@@ -166,7 +157,7 @@ HWY_INLINE void rangeAlong(const RasterTables::Axis& axis, const Wide* x, const 
 }
 
 /// Lanes whose coordinates all are zero or of ordinary size.
-HWY_INLINE hn::Mask<WideTag> areOrdinary(const Vertices& t) {
+HWY_INLINE hn::Mask<WideTag> areOrdinary(const WideVertices& t) {
     const WideTag d;
     const Wide zero = hn::Zero(d), least = hn::Set(d, kSmallest), most = hn::Set(d, kLargest);
     auto good = hn::Eq(zero, zero);
@@ -181,7 +172,7 @@ HWY_INLINE hn::Mask<WideTag> areOrdinary(const Vertices& t) {
 
 /// The tile ranges of several triangles in one view. \p ordinary are the lanes for which bounds
 /// hold.
-HWY_INLINE void findRanges(const RasterTables& tables, int view, const Vertices& t,
+HWY_INLINE void findRanges(const RasterTables& tables, int view, const WideVertices& t,
                            hn::Mask<WideTag> ordinary, TileRanges& out) {
     const WideTag d;
     const WideIntTag di;

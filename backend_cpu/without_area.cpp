@@ -9,6 +9,7 @@
 #define HWY_TARGET_INCLUDE "backend_cpu/without_area.cpp"
 #include <hwy/foreach_target.h>
 
+#include "backend_cpu/load_triangles-inl.h"
 #include "backend_cpu/simd_mask-inl.h"
 
 #include <hwy/highway.h>
@@ -25,19 +26,18 @@ void FindThin(std::span<const Triangle> triangles, uint8_t* result) {
     const hn::Rebind<float, decltype(d)> df;
     const hn::Rebind<int32_t, decltype(d)> di;
     using V = hn::Vec<decltype(d)>;
+    const size_t lanes = hn::Lanes(d);
     const auto last = hn::Set(di, (int32_t) triangles.size() - 1);
-    const auto* floats = reinterpret_cast<const float*>(triangles.data());
-    for (size_t i = 0; i < triangles.size(); i += hn::Lanes(d)) {
+    for (size_t i = 0; i < triangles.size(); i += lanes) {
         const auto index = hn::Min(hn::Iota(di, (int32_t) i), last);
-        const auto at = hn::Add(hn::ShiftLeft<3>(index), index);
-        const auto load = [&](int k) HWY_ATTR {
-            return hn::PromoteTo(d, hn::GatherIndex(df, floats + k, at));
-        };
+        const auto t = i + lanes <= triangles.size()
+                           ? Vertices<decltype(df)>::from(triangles.data() + i)
+                           : Vertices<decltype(df)>::at(triangles.data(), index);
         V b[3], c[3];
         for (int axis = 0; axis < 3; ++axis) {
-            const V a = load(axis);
-            b[axis] = hn::Sub(load(3 + axis), a);
-            c[axis] = hn::Sub(load(6 + axis), a);
+            const V a = hn::PromoteTo(d, t.v[0][axis]);
+            b[axis] = hn::Sub(hn::PromoteTo(d, t.v[1][axis]), a);
+            c[axis] = hn::Sub(hn::PromoteTo(d, t.v[2][axis]), a);
         }
         auto thin = hn::Eq(b[0], b[0]);
         for (int x = 0; x < 3; ++x) {
@@ -47,7 +47,7 @@ void FindThin(std::span<const Triangle> triangles, uint8_t* result) {
             thin = hn::AndNot(hn::Gt(hn::Abs(hn::Sub(first, second)), bound), thin);
         }
         const uint32_t bits = simdMaskBits(d, thin);
-        const size_t count = std::min(hn::Lanes(d), triangles.size() - i);
+        const size_t count = std::min(lanes, triangles.size() - i);
         for (size_t lane = 0; lane < count; ++lane) result[i + lane] = bits >> lane & 1;
     }
 }
