@@ -1,6 +1,7 @@
 #include "bench/frame_bench.h"
 
 #include "backend_cpu/cpu_backend.h"
+#include "backend_cpu/direct_visibility.h"
 #include "bench/bandwidth.h"
 #include "bench/ray_sets.h"
 
@@ -11,12 +12,19 @@ namespace dirt {
 
 namespace {
 
+/// Whether a frame finds its first hits as `rasterizeHits` does.
+bool rasterizesPrimary(const Scene& scene, const RenderSettings& settings, const Backend& backend) {
+    return dynamic_cast<const CpuBackend*>(&backend) != nullptr &&
+           !requirementsOf(scene, settings, backend.rasterizes()).tracedPrimary;
+}
+
 /// One backend on one frame's geometry and rays.
 class Side {
 public:
     Side(Backend& backend, const Scene& scene, const FrameGeometry& geometry,
-         const RenderSettings& settings, const RaySets& rays)
+         const RenderSettings& settings, const RaySets& rays, Executor& executor)
         : backend_(backend), scene_(scene), geometry_(geometry), settings_(settings), rays_(rays),
+          executor_(executor), rasterizes_(rasterizesPrimary(scene, settings, backend)),
           hits_(std::max(rays.primary.size(), rays.diffuse.size())), occluded_(rays.shadow.size()) {
         settings_.samples = 1;
         settings_.bounces = 2;
@@ -37,6 +45,10 @@ private:
             backend_.build(geometry_, scene_.camera, settings_.grid);
             return;
         case FramePart::primary:
+            if (rasterizes_)
+                return rasterizeHits(
+                    {scene_, geometry_, settings_, requirementsOf(scene_, settings_, true)},
+                    executor_, 0, hits_);
             return backend_.intersect(rays_.primary, {hits_.data(), rays_.primary.size()});
         case FramePart::trace:
             return backend_.intersect(rays_.diffuse, {hits_.data(), rays_.diffuse.size()});
@@ -53,6 +65,8 @@ private:
     const FrameGeometry& geometry_;
     RenderSettings settings_;
     const RaySets& rays_;
+    Executor& executor_;
+    const bool rasterizes_; ///< the first hits
     std::vector<Hit> hits_;
     std::vector<uint8_t> occluded_;
 };
@@ -66,8 +80,8 @@ uint64_t structureBytes(const Backend& backend) {
 }
 
 /// What the traversal does for these rays.
-std::array<WorkReport, kFrameParts.size()> countWork(const LeafTracer& tracer,
-                                                     const RaySets& sets) {
+std::array<WorkReport, kFrameParts.size()> countWork(const LeafTracer& tracer, const RaySets& sets,
+                                                     bool rasterized) {
     std::array<WorkReport, kFrameParts.size()> work;
     std::vector<Hit> hits(std::max(sets.primary.size(), sets.diffuse.size()));
     const auto closest = [&](FramePart part, const std::vector<Ray>& rays) {
@@ -75,7 +89,10 @@ std::array<WorkReport, kFrameParts.size()> countWork(const LeafTracer& tracer,
         report.rays = rays.size();
         tracer.closest(rays, {hits.data(), rays.size()}, &report.counts);
     };
-    closest(FramePart::primary, sets.primary);
+    if (rasterized)
+        work[(size_t) FramePart::primary].rays = sets.primary.size();
+    else
+        closest(FramePart::primary, sets.primary);
     closest(FramePart::trace, sets.diffuse);
     WorkReport& shadow = work[(size_t) FramePart::shadow];
     shadow.rays = sets.shadow.size();
@@ -95,10 +112,10 @@ FrameReport benchFrame(const Scene& scene, const RenderSettings& settings, Backe
                        Backend& embree, Backend& morton, Executor& executor, int rounds) {
     const RaySets rays = makeRaySets(scene, settings, dirt, executor);
     const FrameGeometry geometry = makeFrameGeometry(scene.mesh, scene.camera, settings.grid.mode);
-    Side sides[2] = {{dirt, scene, geometry, settings, rays},
-                     {embree, scene, geometry, settings, rays}};
+    Side sides[2] = {{dirt, scene, geometry, settings, rays, executor},
+                     {embree, scene, geometry, settings, rays, executor}};
     const RaySets none;
-    Side mortonSide(morton, scene, geometry, settings, none);
+    Side mortonSide(morton, scene, geometry, settings, none, executor);
     FrameReport report;
     SideReport* const reports[2] = {&report.dirt, &report.embree};
     for (int round = -1; round < rounds; ++round)
@@ -117,7 +134,8 @@ FrameReport benchFrame(const Scene& scene, const RenderSettings& settings, Backe
             if (round >= 0) report.mortonBuild.ms.push_back(ms);
         }
     report.listEntries = dirt.listEntries();
-    if (auto* cpu = dynamic_cast<CpuBackend*>(&dirt)) report.work = countWork(cpu->tracer(), rays);
+    if (auto* cpu = dynamic_cast<CpuBackend*>(&dirt))
+        report.work = countWork(cpu->tracer(), rays, rasterizesPrimary(scene, settings, dirt));
     // The triangle buffer is part of the structure's bytes: read here, not written.
     report.floorBytes = report.dirt.bytes;
     report.bytesPerMs = measureBandwidth(executor);

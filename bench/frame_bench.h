@@ -10,7 +10,8 @@
 
 namespace dirt {
 
-/// What `bench frame` times, of each side.
+/// What `bench frame` times, of each side. `primary` are the hits from the eye: rasterized by ours
+/// where a frame does, else traced.
 /// `frame` is all of a frame of one sample and two path vertices, from the mesh to the image.
 enum class FramePart { build, primary, trace, shadow, frame };
 inline constexpr std::array kFrameParts{FramePart::build, FramePart::primary, FramePart::trace,

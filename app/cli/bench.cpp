@@ -61,7 +61,7 @@ void printFrame(std::FILE* file, const Input& input, const FrameReport& report) 
                  build / report.floorMs());
     for (const FramePart part : kFrameParts) {
         const WorkReport& work = report.work[(size_t) part];
-        if (work.rays == 0) continue;
+        if (work.rays == 0 || work.counts.steps + work.counts.lookups == 0) continue;
         const double rays = (double) work.rays;
         std::fprintf(file, "  %-8s %9llu rays, each:", framePartName(part),
                      (unsigned long long) work.rays);
