@@ -25,7 +25,7 @@ void CpuBackend::expectLight(const Spotlight* light) {
 
 void CpuBackend::clear(const Camera& camera, const GridSettings& settings) {
     tracer_.reset();
-    lightGrid_ = {};
+    lightGrid_.tiles = 0; // the memory is used again
     // The large buffers are used again.
     Grid empty = makeEmptyGrid(camera, settings);
     empty.heads = std::move(grid_.heads);
@@ -45,7 +45,10 @@ void CpuBackend::fillDepthMipmap() {
 
 void CpuBackend::fillPrimitives() {
     builder_.fillPrimitives(grid_);
-    if (light_) fillLightGrid(*geometry_, *light_, executor_, lightGrid_);
+    if (light_)
+        fillLightGrid(*geometry_, *light_, executor_, lightGrid_);
+    else
+        lightGrid_ = {};
     makeLeaves();
 }
 
@@ -100,7 +103,7 @@ void CpuBackend::occluded(std::span<const Ray> rays, std::span<const float> maxT
 }
 
 void CpuBackend::directVisibility(uint32_t sample) {
-    rasterizeDirectVisibility(*frame_, executor_, sample, paths_.next);
+    rasterizeDirectVisibility(*frame_, executor_, sample, eyeBuffers_, paths_.next);
     counts_.rays += paths_.next.size();
     for (const SurfacePoint& point : paths_.next) counts_.hits += point.found() ? 1 : 0;
 }
@@ -119,12 +122,13 @@ std::vector<BufferSize> CpuBackend::memory() const {
             (level == 0 ? bounds : pyramid) +=
                 chain.levels[level].bounds.size() * sizeof(DepthBounds);
     std::vector<BufferSize> sizes = HostBackend::memory();
-    sizes.insert(sizes.begin() + 1, {{"depth bounds", bounds},
-                                     {"depth pyramid", pyramid},
-                                     {"id buffer heads", grid_.heads.size() * sizeof(uint32_t)},
-                                     {"id buffer", grid_.ids.size() * sizeof(uint32_t)},
-                                     {"leaf blocks", leaves_.bytes()},
-                                     {"fragments", builder_.bytes()}});
+    sizes.insert(sizes.begin() + 1,
+                 {{"depth bounds", bounds},
+                  {"depth pyramid", pyramid},
+                  {"id buffer heads", grid_.heads.size() * sizeof(uint32_t)},
+                  {"id buffer", grid_.ids.size() * sizeof(uint32_t)},
+                  {"leaf blocks", leaves_.bytes()},
+                  {"fragments", builder_.bytes() + lightGrid_.pieceBytes() + eyeBuffers_.bytes()}});
     if (!lightGrid_.empty()) sizes.push_back({"light grid", lightGrid_.bytes()});
     return sizes;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "backend_cpu/builder.h"
+#include "backend_cpu/direct_visibility.h"
 #include "backend_cpu/leaves.h"
 #include "backend_cpu/tracer.h"
 #include "core/frame/host_backend.h"
@@ -54,6 +55,7 @@ private:
     Leaves leaves_;
     std::optional<Spotlight> light_; ///< that rays are expected to end in
     LightGrid lightGrid_;
+    EyeBuffers eyeBuffers_;
     std::optional<LeafTracer> tracer_; ///< none: the leaves are not those of the grid
 };
 

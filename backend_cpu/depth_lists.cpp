@@ -10,8 +10,8 @@ constexpr size_t kTilesPerPiece = 512;
 
 } // namespace
 
-DepthLists sortIntoTiles(std::span<const FragmentPiece> pieces, size_t tiles, Executor& executor) {
-    DepthLists lists;
+void sortIntoTiles(std::span<const FragmentPiece> pieces, size_t tiles, Executor& executor,
+                   DepthLists& lists) {
     lists.heads.assign(tiles + 1, 0);
     const auto headOf = [&](const DepthFragment& fragment) {
         return std::atomic_ref<uint32_t>(lists.heads[fragment.tile]);
@@ -38,7 +38,6 @@ DepthLists sortIntoTiles(std::span<const FragmentPiece> pieces, size_t tiles, Ex
                           return a.near < b.near || (a.near == b.near && a.item < b.item);
                       });
     });
-    return lists;
 }
 
 } // namespace dirt

@@ -39,7 +39,9 @@ struct FragmentPiece {
     uint32_t firstItem = 0;
 };
 
-/// Sorts fragments into the lists of \p tiles tiles: the same for any number of threads.
-DepthLists sortIntoTiles(std::span<const FragmentPiece> pieces, size_t tiles, Executor& executor);
+/// Sorts fragments into the lists of \p tiles tiles, whose memory is used again: the same for any
+/// number of threads.
+void sortIntoTiles(std::span<const FragmentPiece> pieces, size_t tiles, Executor& executor,
+                   DepthLists& lists);
 
 } // namespace dirt

@@ -57,8 +57,9 @@ private:
 /// The image's tiles, and the triangles in each in the order of depth.
 class TiledTriangles {
 public:
-    TiledTriangles(const FrameContext& frame, const SampleRays& rays, Executor& executor)
-        : width_(frame.settings.grid.width), height_(frame.settings.grid.height),
+    TiledTriangles(const FrameContext& frame, const SampleRays& rays, Executor& executor,
+                   EyeBuffers& buffers)
+        : buffers_(buffers), width_(frame.settings.grid.width), height_(frame.settings.grid.height),
           columns_((width_ + EyeTile::kWidth - 1) / EyeTile::kWidth),
           rows_((height_ + EyeTile::kHeight - 1) / EyeTile::kHeight),
           bounds_(rays.bounds(width_, height_)) {
@@ -70,9 +71,12 @@ public:
         const ImageFootprint footprint(frame.scene.camera, grid.width, grid.height, grid.mode,
                                        rays.offset());
         const auto& triangles = frame.geometry.triangles;
-        std::vector<Piece> pieces((triangles.size() + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
+        std::vector<EyeBuffers::Piece>& pieces = buffers.pieces;
+        pieces.resize((triangles.size() + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
         executor.forRange(triangles.size(), kTrianglesPerPiece, [&](size_t begin, size_t end) {
-            Piece& piece = pieces[begin / kTrianglesPerPiece];
+            EyeBuffers::Piece& piece = pieces[begin / kTrianglesPerPiece];
+            piece.items.clear();
+            piece.fragments.clear();
             for (size_t id = begin; id < end; ++id) {
                 const PixelRange range = footprint(triangles[id]);
                 if (range.x0 > range.x1 || range.y0 > range.y1) continue;
@@ -81,14 +85,15 @@ public:
         });
         std::vector<FragmentPiece> fragments;
         size_t sum = 0;
-        for (const Piece& piece : pieces) {
+        for (const EyeBuffers::Piece& piece : pieces) {
             fragments.push_back({piece.fragments, (uint32_t) sum});
             sum += piece.items.size();
         }
-        items_.reserve(sum);
-        for (const Piece& piece : pieces)
-            items_.insert(items_.end(), piece.items.begin(), piece.items.end());
-        lists_ = sortIntoTiles(fragments, (size_t) tiles(), executor);
+        buffers.items.clear();
+        buffers.items.reserve(sum);
+        for (const EyeBuffers::Piece& piece : pieces)
+            buffers.items.insert(buffers.items.end(), piece.items.begin(), piece.items.end());
+        sortIntoTiles(fragments, (size_t) tiles(), executor, buffers.lists);
     }
 
     int tiles() const { return columns_ * rows_; }
@@ -106,16 +111,12 @@ public:
             tile.low[pixel] = tile.high[pixel] = outside ? HUGE_VALF : -HUGE_VALF;
             tile.id[pixel] = kNoPrimitive;
         }
-        rasterizeTile(frame.geometry, items_, lists_.list((size_t) index), bounds_.margin, tile);
+        rasterizeTile(frame.geometry, buffers_.items, buffers_.lists.list((size_t) index),
+                      bounds_.margin, tile);
     }
 
 private:
-    struct Piece {
-        std::vector<EyeTriangle> items;
-        std::vector<DepthFragment> fragments;
-    };
-
-    void place(const EyeTriangle& item, Piece& piece) const {
+    void place(const EyeTriangle& item, EyeBuffers::Piece& piece) const {
         const int column0 = item.range.x0 / EyeTile::kWidth;
         const int column1 = item.range.x1 / EyeTile::kWidth;
         const int row0 = item.range.y0 / EyeTile::kHeight;
@@ -136,20 +137,19 @@ private:
         if (piece.fragments.size() > before) piece.items.push_back(item);
     }
 
+    const EyeBuffers& buffers_;
     int width_, height_, columns_, rows_;
     EyeRays bounds_;
     std::vector<glm::vec3> corners_; ///< directions at the tiles' corners
-    std::vector<EyeTriangle> items_;
-    DepthLists lists_;
 };
 
 /// Calls visit(pixel of the image, ray, id, hit) for each pixel, with kNoPrimitive for nothing.
 template <class Visit>
-void forEachHit(const FrameContext& frame, Executor& executor, uint32_t sample,
+void forEachHit(const FrameContext& frame, Executor& executor, uint32_t sample, EyeBuffers& buffers,
                 const Visit& visit) {
     const int width = frame.settings.grid.width, height = frame.settings.grid.height;
     const SampleRays rays(frame, sample);
-    const TiledTriangles tiled(frame, rays, executor);
+    const TiledTriangles tiled(frame, rays, executor, buffers);
     executor.forRange((size_t) tiled.tiles(), 1, [&](size_t index, size_t) {
         thread_local EyeTile tile;
         tiled.fill(frame, rays, (int) index, tile);
@@ -167,9 +167,17 @@ void forEachHit(const FrameContext& frame, Executor& executor, uint32_t sample,
 
 } // namespace
 
+uint64_t EyeBuffers::bytes() const {
+    uint64_t bytes = items.capacity() * sizeof(EyeTriangle) + lists.bytes();
+    for (const Piece& piece : pieces)
+        bytes += piece.items.capacity() * sizeof(EyeTriangle) +
+                 piece.fragments.capacity() * sizeof(DepthFragment);
+    return bytes;
+}
+
 void rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
-                               std::span<SurfacePoint> points) {
-    forEachHit(frame, executor, sample,
+                               EyeBuffers& buffers, std::span<SurfacePoint> points) {
+    forEachHit(frame, executor, sample, buffers,
                [&](size_t pixel, const Ray& ray, uint32_t id, const TriangleHit& hit) {
                    points[pixel] = {};
                    if (id != kNoPrimitive)
@@ -179,8 +187,8 @@ void rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, ui
 }
 
 void rasterizeHits(const FrameContext& frame, Executor& executor, uint32_t sample,
-                   std::span<Hit> hits) {
-    forEachHit(frame, executor, sample,
+                   EyeBuffers& buffers, std::span<Hit> hits) {
+    forEachHit(frame, executor, sample, buffers,
                [&](size_t pixel, const Ray&, uint32_t id, const TriangleHit& hit) {
                    hits[pixel] = {};
                    if (id != kNoPrimitive) hits[pixel] = {id, hit.t, hit.u, hit.v, 0, 0};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "backend_cpu/eye_tile.h"
 #include "core/frame/executor.h"
 #include "core/frame/passes.h"
 
@@ -7,14 +8,28 @@
 
 namespace dirt {
 
+/// What DirectVisibility works in, kept from sample to sample.
+struct EyeBuffers {
+    /// What one piece of the triangles gives.
+    struct Piece {
+        std::vector<EyeTriangle> items;
+        std::vector<DepthFragment> fragments; ///< items counted from the piece's first
+    };
+    std::vector<Piece> pieces;
+    std::vector<EyeTriangle> items;
+    DepthLists lists; ///< of items, for each tile of the image
+
+    uint64_t bytes() const;
+};
+
 /// DirectVisibility: G[1] of every pixel, by rasterizing the triangle buffer from the eye, as
 /// seen through the sample's sub-pixel offset. The points are those of traced primary rays, bit
 /// for bit, equal depths included.
 void rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
-                               std::span<SurfacePoint> points);
+                               EyeBuffers& buffers, std::span<SurfacePoint> points);
 
 /// The hits alone, without views and tiles.
 void rasterizeHits(const FrameContext& frame, Executor& executor, uint32_t sample,
-                   std::span<Hit> hits);
+                   EyeBuffers& buffers, std::span<Hit> hits);
 
 } // namespace dirt

@@ -87,13 +87,6 @@ LightRecord makeRecord(const LightTriangle& t, uint32_t id, const LightGrid& gri
     return record;
 }
 
-/// What one piece of the triangles gives.
-struct Piece {
-    std::vector<LightRecord> records;
-    std::vector<DepthFragment> fragments; ///< records counted from the piece's first
-    std::vector<uint32_t> close;
-};
-
 /// Which of the faces a triangle may touch. Most lie in one, well inside.
 template <class Visit>
 void forEachFace(const LightTriangle& t, const LightGrid& grid, Visit&& visit) {
@@ -115,7 +108,10 @@ void forEachFace(const LightTriangle& t, const LightGrid& grid, Visit&& visit) {
 }
 
 void scan(const FrameGeometry& geometry, const LightGrid& grid, size_t begin, size_t end,
-          Piece& piece) {
+          LightPiece& piece) {
+    piece.records.clear();
+    piece.fragments.clear();
+    piece.close.clear();
     for (size_t id = begin; id < end; ++id) {
         const LightTriangle triangle(geometry.triangles[id], grid.position);
         if (mayBeWithin(triangle, grid.nearest)) {
@@ -135,14 +131,15 @@ void scan(const FrameGeometry& geometry, const LightGrid& grid, size_t begin, si
     }
 }
 
-void join(const std::vector<Piece>& pieces, uint32_t tiles, Executor& executor, LightGrid& grid) {
+void join(uint32_t tiles, Executor& executor, LightGrid& grid) {
+    const std::vector<LightPiece>& pieces = grid.pieces;
     std::vector<FragmentPiece> fragments;
     uint32_t records = 0;
-    for (const Piece& piece : pieces) {
+    for (const LightPiece& piece : pieces) {
         fragments.push_back({piece.fragments, records});
         records += (uint32_t) piece.records.size();
     }
-    grid.lists = sortIntoTiles(fragments, tiles, executor);
+    sortIntoTiles(fragments, tiles, executor, grid.lists);
     grid.records.resize(records);
     executor.forRange(pieces.size(), 1, [&](size_t i, size_t) {
         std::copy(pieces[i].records.begin(), pieces[i].records.end(),
@@ -172,9 +169,17 @@ uint64_t LightGrid::bytes() const {
     return lists.bytes() + records.size() * sizeof(LightRecord);
 }
 
+uint64_t LightGrid::pieceBytes() const {
+    uint64_t bytes = 0;
+    for (const LightPiece& piece : pieces)
+        bytes += piece.records.capacity() * sizeof(LightRecord) +
+                 piece.fragments.capacity() * sizeof(DepthFragment);
+    return bytes;
+}
+
 void fillLightGrid(const FrameGeometry& geometry, const Spotlight& light, Executor& executor,
                    LightGrid& grid) {
-    grid = {};
+    grid.tiles = 0;
     const size_t count = geometry.triangles.size();
     grid.position = geometry.frame.toGrid(light.position);
     // Origins lie within the scene, whose coordinates are below 2, or a rounding beside it.
@@ -187,16 +192,17 @@ void fillLightGrid(const FrameGeometry& geometry, const Spotlight& light, Execut
     grid.nearest = (float) (kNearest * grid.tiles * grid.reach);
     const uint32_t tiles = setFaces(cone, grid.tiles, grid.faces);
 
-    std::vector<Piece> pieces((count + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
+    grid.pieces.resize((count + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
     executor.forRange(count, kTrianglesPerPiece, [&](size_t begin, size_t end) {
-        scan(geometry, grid, begin, end, pieces[begin / kTrianglesPerPiece]);
+        scan(geometry, grid, begin, end, grid.pieces[begin / kTrianglesPerPiece]);
     });
-    for (const Piece& piece : pieces)
+    grid.close.clear();
+    for (const LightPiece& piece : grid.pieces)
         grid.close.insert(grid.close.end(), piece.close.begin(), piece.close.end());
     if (grid.close.size() > kMostClose)
-        grid = {};
+        grid.tiles = 0;
     else
-        join(pieces, tiles, executor, grid);
+        join(tiles, executor, grid);
 }
 
 } // namespace dirt

@@ -34,6 +34,13 @@ struct LightFace {
     uint32_t firstTile = 0; ///< in the numbering over all faces
 };
 
+/// What one piece of the triangles gives to a light grid.
+struct LightPiece {
+    std::vector<LightRecord> records;
+    std::vector<DepthFragment> fragments; ///< records counted from the piece's first
+    std::vector<uint32_t> close;
+};
+
 /// One more view of the frame's geometry: from a spotlight's position. A shadow ray, reversed,
 /// starts in that point, so all of it lies in one tile; whatever may occlude it is in one list, in
 /// the order of depth. docs/grid.md says why nothing is missed.
@@ -48,8 +55,11 @@ struct LightGrid {
     std::vector<LightRecord> records;
     std::vector<uint32_t> close; ///< triangles that may be nearer than that: any ray may meet them
 
+    std::vector<LightPiece> pieces; ///< kept from frame to frame, while the lists are filled
+
     bool empty() const { return tiles == 0; }
-    uint64_t bytes() const;
+    uint64_t bytes() const;      ///< of what rays read
+    uint64_t pieceBytes() const; ///< of the pieces
 };
 
 /// Fills the light grid of \p light. It stays empty where too much is close to the light. The same

@@ -48,7 +48,7 @@ private:
             if (rasterizes_)
                 return rasterizeHits(
                     {scene_, geometry_, settings_, requirementsOf(scene_, settings_, true)},
-                    executor_, 0, hits_);
+                    executor_, 0, eyeBuffers_, hits_);
             return backend_.intersect(rays_.primary, {hits_.data(), rays_.primary.size()});
         case FramePart::trace:
             return backend_.intersect(rays_.diffuse, {hits_.data(), rays_.diffuse.size()});
@@ -67,6 +67,7 @@ private:
     const RaySets& rays_;
     Executor& executor_;
     const bool rasterizes_; ///< the first hits
+    EyeBuffers eyeBuffers_;
     std::vector<Hit> hits_;
     std::vector<uint8_t> occluded_;
 };
