@@ -3,6 +3,7 @@
 #include "core/scene/scalar_texture.h"
 #include "core/scene/texture.h"
 
+#include <concepts>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,7 +15,9 @@ namespace dirt {
 
 /// An image: a file, or the bytes of a PNG or JPEG file with a name that stands for the file's.
 struct ImageFile {
-    ImageFile(std::filesystem::path file) : name(std::move(file)) {}
+    template <typename Path>
+    requires std::convertible_to<Path, std::filesystem::path> ImageFile(const Path& file)
+        : name(file) {}
     ImageFile(std::filesystem::path standIn, std::string fileBytes)
         : name(std::move(standIn)), bytes(std::move(fileBytes)) {}
 
