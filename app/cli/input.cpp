@@ -97,7 +97,8 @@ std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& exe
 
 Input openInput(const CommonOptions& options, Executor& executor) {
     checkCameraOptions(options);
-    LoadedScene loaded = loadScene(options.scene, {.strict = options.strict});
+    LoadedScene loaded =
+        loadScene(options.scene, {.strict = options.strict, .cache = !options.noCache});
     if (!options.quiet) print(loaded);
 
     Input input;

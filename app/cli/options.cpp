@@ -87,6 +87,8 @@ void addSettingsOptions(CLI::App& command, CommonOptions& o) {
     addInteger(command, "--threads", 1, 1024, "worker threads (default: all cores)",
                [&o](int64_t n) { o.threads = (unsigned) n; });
     command.add_flag("--quiet", o.quiet, "print nothing but errors on standard error");
+    command.add_flag("--no-cache", o.noCache,
+                     "neither read nor leave caches of models (NAME.sbin)");
     command.add_flag("--strict", o.strict, "take what the scene lacks as an error");
 }
 

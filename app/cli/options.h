@@ -48,6 +48,7 @@ struct CommonOptions {
 
     unsigned threads = 0; ///< 0: all cores
     bool quiet = false;   ///< nothing on standard error but errors
+    bool noCache = false; ///< neither read nor leave caches of models
     bool strict = false;  ///< what a scene lacks is an error, not a warning
 };
 

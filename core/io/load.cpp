@@ -52,9 +52,10 @@ void addMovingPart(const Mesh& mesh, uint32_t space, size_t firstPosition, size_
     part.normals.assign(mesh.normals.begin() + (ptrdiff_t) firstNormal, mesh.normals.end());
 }
 
-void loadSceneFile(const fs::path& file, SceneBuilder& builder, LoadReport& report,
+void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport& report,
                    LoadedScene& loaded) {
     const SceneFile source = readSceneFile(file, report);
+    SceneBuilder builder(loaded.scene, report, options.cache && source.cache);
     Scene& scene = loaded.scene;
     scene.camera = source.camera;
     scene.background = source.background;
@@ -78,14 +79,15 @@ void loadSceneFile(const fs::path& file, SceneBuilder& builder, LoadReport& repo
 LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
     LoadedScene loaded;
     LoadReport report(options.strict);
-    SceneBuilder builder(loaded.scene, report);
     const std::string extension = lowerCaseExtension(file);
-    if (isModel(extension))
+    if (isModel(extension)) {
+        SceneBuilder builder(loaded.scene, report, options.cache);
         addModel(file, glm::dmat4(1.0), builder);
-    else if (extension == ".scene")
-        loadSceneFile(file, builder, report, loaded);
-    else
+    } else if (extension == ".scene") {
+        loadSceneFile(file, options, report, loaded);
+    } else {
         failAt(file, 0, "is no .scene, .obj, .gltf or .glb file");
+    }
     if (loaded.scene.mesh.triangles.empty()) failAt(file, 0, "holds no triangles");
 
     SerialExecutor serial;

@@ -12,6 +12,7 @@ namespace dirt {
 
 struct LoadOptions {
     bool strict = false; ///< what would be a warning is an InputError
+    bool cache = false;  ///< OBJ files through their caches, but where a .scene file forbids it
 };
 
 /// A scene, at frame 0 if it is animated, and what its file said besides.

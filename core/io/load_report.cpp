@@ -37,13 +37,24 @@ void failAt(const std::filesystem::path& file, size_t line, const std::string& m
 
 void LoadReport::warn(WarningKind kind, const std::filesystem::path& file, size_t line,
                       const std::string& message) {
-    std::string text = atLine(file, line, message);
-    if (strict_) throw InputError(text);
-    if (seenWarnings_.insert(text).second) warnings_.push_back({kind, std::move(text)});
+    add({kind, atLine(file, line, message)});
 }
 
 void LoadReport::ignore(const std::string& name) {
-    std::string text = printable(name);
+    addIgnored(printable(name));
+}
+
+void LoadReport::append(const LoadReport& other) {
+    for (const Warning& warning : other.warnings_) add(warning);
+    for (const std::string& text : other.ignored_) addIgnored(text);
+}
+
+void LoadReport::add(Warning warning) {
+    if (strict_) throw InputError(warning.text);
+    if (seenWarnings_.insert(warning.text).second) warnings_.push_back(std::move(warning));
+}
+
+void LoadReport::addIgnored(std::string text) {
     if (seenNames_.insert(text).second) ignored_.push_back(std::move(text));
 }
 

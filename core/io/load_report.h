@@ -43,11 +43,19 @@ public:
     /// Notes a name (element, attribute, key) that has no effect; each is kept once.
     void ignore(const std::string& name);
 
+    /// All that another report has, in its order.
+    void append(const LoadReport& other);
+
     const std::vector<Warning>& warnings() const { return warnings_; }
     /// In the order of first appearance.
     const std::vector<std::string>& ignored() const { return ignored_; }
 
+    /// A name as ignored() has it.
+    void addIgnored(std::string text);
+
 private:
+    void add(Warning warning);
+
     bool strict_;
     std::vector<Warning> warnings_;
     std::vector<std::string> ignored_;

@@ -23,8 +23,7 @@ public:
         obj_.file = file;
     }
 
-    ObjFile read() {
-        const std::string text = readTextFile(obj_.file);
+    ObjFile read(std::string_view text) {
         LineReader lines(text, LineReader::Continuation::backslash);
         while (lines.next()) {
             line_ = lines.number();
@@ -178,7 +177,11 @@ private:
 } // namespace
 
 ObjFile readObj(const std::filesystem::path& file, LoadReport& report) {
-    return ObjReader(file, report).read();
+    return parseObj(file, readBytes(file), report);
+}
+
+ObjFile parseObj(const std::filesystem::path& file, std::string_view bytes, LoadReport& report) {
+    return ObjReader(file, report).read(textOf(file, bytes));
 }
 
 } // namespace dirt

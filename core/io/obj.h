@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -51,5 +52,8 @@ struct ObjFile {
 /// tinyobjloader is not used here: it reads malformed numbers and NaN as 0, is silent about
 /// indices out of range, and its float32 positions would be rounded again by a transform.
 ObjFile readObj(const std::filesystem::path& file, LoadReport& report);
+
+/// The same of the file's \p bytes.
+ObjFile parseObj(const std::filesystem::path& file, std::string_view bytes, LoadReport& report);
 
 } // namespace dirt

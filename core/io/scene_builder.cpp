@@ -1,6 +1,7 @@
 #include "core/io/scene_builder.h"
 
 #include "core/io/find_file.h"
+#include "core/io/obj_cache.h"
 #include "core/io/place_gltf.h"
 #include "core/io/place_mesh.h"
 #include "core/io/text_file.h"
@@ -13,7 +14,7 @@ namespace dirt {
 namespace fs = std::filesystem;
 
 void SceneBuilder::addObj(const fs::path& file, const glm::dmat4& toWorld) {
-    const ObjFile obj = readObj(file, report_);
+    const ObjFile obj = cache_ ? readObjCached(file, report_) : readObj(file, report_);
     placeMesh(obj, toWorld, resolveMaterials(obj), scene_.mesh);
 }
 

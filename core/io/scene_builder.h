@@ -23,8 +23,9 @@ namespace dirt {
 /// uses are not loaded.
 class SceneBuilder {
 public:
-    SceneBuilder(Scene& scene, LoadReport& report)
-        : scene_(scene), report_(report), textures_(scene, report) {}
+    /// \p cache: whether OBJ files are read through their caches (see readObjCached).
+    SceneBuilder(Scene& scene, LoadReport& report, bool cache = false)
+        : scene_(scene), report_(report), cache_(cache), textures_(scene, report) {}
 
     /// Appends the triangles of an OBJ file, placed by \p toWorld: computed in double, rounded to
     /// float32 once. Throws InputError where the file is bad (see readObj) or a transformed vertex
@@ -52,6 +53,7 @@ private:
 
     Scene& scene_;
     LoadReport& report_;
+    bool cache_;
     /// By MTL file and name; without a file: the stand-ins.
     std::map<std::pair<std::string, std::string>, uint32_t> materials_;
     TextureLoader textures_;

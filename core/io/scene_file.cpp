@@ -19,6 +19,7 @@ constexpr SceneAttribute kHonoured[] = {
     {"world", "background"},
     {"world", "fps"},
     {"world", "microfacet_model"},
+    {"world", "binary_loading"},
     {"directory", "path"},
     {"tracing", "faces"},
     {"tracing", "block_size"},
@@ -75,6 +76,7 @@ public:
         scene_.background = attributes.colour("background").value_or(scene_.background);
         scene_.animation.fps = attributes.real("fps", 0.001, 1e5).value_or(scene_.animation.fps);
         microfacetModel(attributes, root);
+        scene_.cache = attributes.boolean("binary_loading").value_or(scene_.cache);
         for (const pugi::xml_node child : root.children()) worldChild(child);
         return std::move(scene_);
     }

@@ -44,6 +44,7 @@ struct SceneFile {
     MicrofacetModel microfacetModel = MicrofacetModel::beckmann;
     ToneMapping toneMapping;
     Animation animation; ///< without parts
+    bool cache = true;   ///< binary_loading: whether models may be read through caches
     SceneSettings settings;
 };
 

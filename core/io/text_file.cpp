@@ -32,17 +32,22 @@ std::string readBytes(const std::filesystem::path& file) {
     return bytes;
 }
 
-std::string readTextFile(const std::filesystem::path& file) {
-    std::string text = readBytes(file);
-    const auto startsWith = [&](const char* mark) { return text.rfind(mark, 0) == 0; };
-    if (startsWith("\xfe\xff") || startsWith("\xff\xfe"))
+std::string_view textOf(const std::filesystem::path& file, std::string_view bytes) {
+    if (bytes.starts_with("\xfe\xff") || bytes.starts_with("\xff\xfe"))
         failAt(file, 1, "is UTF-16; only ASCII and UTF-8 text can be read");
-    if (startsWith("\xef\xbb\xbf")) text.erase(0, 3);
-    const size_t nul = text.find('\0');
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+    const size_t nul = bytes.find('\0');
     if (nul != std::string::npos) {
-        const auto line = 1 + std::count(text.begin(), text.begin() + (ptrdiff_t) nul, '\n');
+        const auto line = 1 + std::count(bytes.begin(), bytes.begin() + (ptrdiff_t) nul, '\n');
         failAt(file, (size_t) line, "holds a NUL byte: not a text file");
     }
+    return bytes;
+}
+
+std::string readTextFile(const std::filesystem::path& file) {
+    std::string text = readBytes(file);
+    const size_t length = textOf(file, text).size();
+    text.erase(0, text.size() - length);
     return text;
 }
 

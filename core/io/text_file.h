@@ -10,6 +10,10 @@ namespace dirt {
 /// The bytes of a file. Throws InputError where it cannot be read.
 std::string readBytes(const std::filesystem::path& file);
 
+/// \p bytes, which \p file holds, without a UTF-8 byte order mark. Throws InputError where they are
+/// UTF-16 or hold NUL bytes.
+std::string_view textOf(const std::filesystem::path& file, std::string_view bytes);
+
 /// The bytes of a text file, without a UTF-8 byte order mark. Throws InputError where the file
 /// cannot be read, is UTF-16 or holds NUL bytes.
 std::string readTextFile(const std::filesystem::path& file);
