@@ -1,5 +1,6 @@
 #include "app/cli/input.h"
 
+#include "app/cli/progress_bar.h"
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
 #include "core/frame/auto_camera.h"
@@ -53,6 +54,18 @@ void print(const LoadedScene& loaded) {
     if (!names.empty()) std::fprintf(stderr, "dirt: ignored: %s\n", names.c_str());
 }
 
+LoadedScene load(const CommonOptions& options, Executor& executor) {
+    ProgressBar bar(options.quiet, "files read");
+    LoadOptions load;
+    load.strict = options.strict;
+    load.cache = !options.noCache;
+    load.executor = &executor;
+    load.progress = [&bar](size_t done, size_t total) {
+        bar.show((int64_t) done, (int64_t) total);
+    };
+    return loadScene(options.scene, load);
+}
+
 Standpoint standpointOf(const Mesh& mesh, const CommonOptions& options, const GridSettings& grid,
                         Executor& executor) {
     CameraHints hints;
@@ -97,8 +110,7 @@ std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& exe
 
 Input openInput(const CommonOptions& options, Executor& executor) {
     checkCameraOptions(options);
-    LoadedScene loaded =
-        loadScene(options.scene, {.strict = options.strict, .cache = !options.noCache});
+    LoadedScene loaded = load(options, executor);
     if (!options.quiet) print(loaded);
 
     Input input;

@@ -25,8 +25,9 @@ std::string clockText(double seconds) {
 
 } // namespace
 
-ProgressBar::ProgressBar(bool quiet)
-    : shown_(!quiet && isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+ProgressBar::ProgressBar(bool quiet, const char* what)
+    : shown_(!quiet && isatty(STDERR_FILENO) == 1), what_(what),
+      start_(std::chrono::steady_clock::now()) {}
 
 void ProgressBar::clear() {
     if (shown_) std::fputs("\r\033[K", stderr);
@@ -38,8 +39,8 @@ void ProgressBar::show(int64_t done, int64_t total) {
     const int filled = (int) (kWidth * done / total);
     const std::string bar =
         std::string((size_t) filled, '#') + std::string((size_t) (kWidth - filled), '.');
-    std::fprintf(stderr, "\r[%s] %lld of %lld samples", bar.c_str(), (long long) done,
-                 (long long) total);
+    std::fprintf(stderr, "\r[%s] %lld of %lld %s", bar.c_str(), (long long) done, (long long) total,
+                 what_);
     if (done > 0)
         std::fprintf(stderr, ", %s left",
                      clockText(spent.count() * (double) (total - done) / (double) done).c_str());

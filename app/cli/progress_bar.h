@@ -5,22 +5,24 @@
 
 namespace dirt {
 
-/// A line on standard error that shows how far a render is and how long it will take. It shows
+/// A line on standard error that shows how far a work is and how long it will take. It shows
 /// nothing where standard error is no terminal, or if \p quiet.
 class ProgressBar {
 public:
-    explicit ProgressBar(bool quiet);
+    /// \p what: the things that are counted.
+    explicit ProgressBar(bool quiet, const char* what = "samples");
     ~ProgressBar() { clear(); }
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// \p done of \p total samples are finished.
+    /// \p done of \p total are finished.
     void show(int64_t done, int64_t total);
     /// Clears the line, for others to print.
     void clear();
 
 private:
     bool shown_;
+    const char* what_;
     std::chrono::steady_clock::time_point start_;
 };
 

@@ -4,33 +4,14 @@
 #include "core/io/find_file.h"
 #include "core/io/scene_builder.h"
 
-#include <optional>
+#include <map>
+#include <vector>
 
 namespace dirt {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lowerCaseExtension(const fs::path& file) {
-    std::string extension = file.extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = (char) (c - 'A' + 'a');
-    return extension;
-}
-
-bool isModel(const std::string& extension) {
-    return extension == ".obj" || extension == ".gltf" || extension == ".glb";
-}
-
-/// What is not glTF by its name is OBJ.
-void addModel(const fs::path& file, const glm::dmat4& toWorld, SceneBuilder& builder) {
-    const std::string extension = lowerCaseExtension(file);
-    if (extension == ".gltf" || extension == ".glb")
-        builder.addGltf(file, toWorld);
-    else
-        builder.addObj(file, toWorld);
-}
 
 fs::path findObject(const SceneFile& source, const SceneFile::Object& object) {
     const fs::path folder = source.file.parent_path();
@@ -52,10 +33,39 @@ void addMovingPart(const Mesh& mesh, uint32_t space, size_t firstPosition, size_
     part.normals.assign(mesh.normals.begin() + (ptrdiff_t) firstNormal, mesh.normals.end());
 }
 
+/// A model file that is to be placed.
+struct Placed {
+    fs::path file;
+    glm::dmat4 toSpace{1.0};
+    uint32_t space = MovingSpace::kWorld;
+};
+
+/// Reads each file once, on threads, and places what it holds as often as it is named.
+void placeModels(const std::vector<Placed>& list, bool cache, const LoadOptions& options,
+                 LoadReport& report, Scene& scene) {
+    std::vector<fs::path> files;
+    std::map<fs::path, size_t> places;
+    for (const Placed& placed : list)
+        if (places.try_emplace(placed.file, files.size()).second) files.push_back(placed.file);
+
+    SerialExecutor serial;
+    Executor& executor = options.executor ? *options.executor : serial;
+    std::vector<Model> models(files.size());
+    readAll(files.size(), executor, options.progress,
+            [&](size_t i) { models[i] = readModel(files[i], cache); });
+    SceneBuilder builder(scene, report);
+    builder.readTexturesAhead(models, executor, options.progress);
+    for (const Placed& placed : list) {
+        const size_t positions = scene.mesh.positions.size(), normals = scene.mesh.normals.size();
+        builder.add(models[places[placed.file]], placed.toSpace);
+        if (placed.space != MovingSpace::kWorld)
+            addMovingPart(scene.mesh, placed.space, positions, normals, scene.animation);
+    }
+}
+
 void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport& report,
                    LoadedScene& loaded) {
     const SceneFile source = readSceneFile(file, report);
-    SceneBuilder builder(loaded.scene, report, options.cache && source.cache);
     Scene& scene = loaded.scene;
     scene.camera = source.camera;
     scene.background = source.background;
@@ -66,12 +76,10 @@ void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport&
     loaded.hasCamera = source.hasCamera;
     loaded.hasLight = source.light.has_value();
     scene.animation = source.animation;
-    for (const SceneFile::Object& object : source.objects) {
-        const size_t positions = scene.mesh.positions.size(), normals = scene.mesh.normals.size();
-        addModel(findObject(source, object), object.toSpace, builder);
-        if (object.space != MovingSpace::kWorld)
-            addMovingPart(scene.mesh, object.space, positions, normals, scene.animation);
-    }
+    std::vector<Placed> list;
+    for (const SceneFile::Object& object : source.objects)
+        list.push_back({findObject(source, object), object.toSpace, object.space});
+    placeModels(list, options.cache && source.cache, options, report, scene);
 }
 
 } // namespace
@@ -79,15 +87,12 @@ void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport&
 LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
     LoadedScene loaded;
     LoadReport report(options.strict);
-    const std::string extension = lowerCaseExtension(file);
-    if (isModel(extension)) {
-        SceneBuilder builder(loaded.scene, report, options.cache);
-        addModel(file, glm::dmat4(1.0), builder);
-    } else if (extension == ".scene") {
+    if (isModelFile(file))
+        placeModels({Placed{file}}, options.cache, options, report, loaded.scene);
+    else if (lowerCaseExtension(file) == ".scene")
         loadSceneFile(file, options, report, loaded);
-    } else {
+    else
         failAt(file, 0, "is no .scene, .obj, .gltf or .glb file");
-    }
     if (loaded.scene.mesh.triangles.empty()) failAt(file, 0, "holds no triangles");
 
     SerialExecutor serial;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/load_report.h"
+#include "core/io/read_all.h"
 #include "core/io/scene_file.h"
 #include "core/scene/scene.h"
 
@@ -13,6 +14,8 @@ namespace dirt {
 struct LoadOptions {
     bool strict = false; ///< what would be a warning is an InputError
     bool cache = false;  ///< OBJ files through their caches, but where a .scene file forbids it
+    Executor* executor = nullptr; ///< whose threads read files; none: one after the other
+    LoadProgress progress;        ///< of models, then of textures; may be empty
 };
 
 /// A scene, at frame 0 if it is animated, and what its file said besides.

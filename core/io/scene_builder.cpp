@@ -1,7 +1,6 @@
 #include "core/io/scene_builder.h"
 
 #include "core/io/find_file.h"
-#include "core/io/obj_cache.h"
 #include "core/io/place_gltf.h"
 #include "core/io/place_mesh.h"
 #include "core/io/text_file.h"
@@ -13,9 +12,23 @@ namespace dirt {
 
 namespace fs = std::filesystem;
 
-void SceneBuilder::addObj(const fs::path& file, const glm::dmat4& toWorld) {
-    const ObjFile obj = cache_ ? readObjCached(file, report_) : readObj(file, report_);
-    placeMesh(obj, toWorld, resolveMaterials(obj), scene_.mesh);
+void SceneBuilder::readTexturesAhead(const std::vector<Model>& models, Executor& executor,
+                                     const LoadProgress& progress) {
+    Scene scene;
+    LoadReport report;
+    SceneBuilder announcing(scene, report);
+    announcing.textures_.announce();
+    for (const Model& model : models)
+        std::visit([&](const auto& file) { announcing.resolveMaterials(file); }, model.file);
+    textures_.readAhead(announcing.textures_, executor, progress);
+}
+
+void SceneBuilder::add(const Model& model, const glm::dmat4& toWorld) {
+    report_.append(model.report);
+    if (const auto* obj = std::get_if<ObjFile>(&model.file))
+        placeMesh(*obj, toWorld, resolveMaterials(*obj), scene_.mesh);
+    else if (const auto* gltf = std::get_if<GltfFile>(&model.file))
+        placeGltf(*gltf, toWorld, resolveMaterials(*gltf), scene_.mesh);
 }
 
 /// Every material of the files that mtllib names; of equal names the first counts.
@@ -128,8 +141,8 @@ uint32_t SceneBuilder::loadOpacity(const fs::path& library, const MtlMaterial& s
     return alpha != kNoTexture ? alpha : loadScalars(library, source.opacity);
 }
 
-void SceneBuilder::addGltf(const fs::path& file, const glm::dmat4& toWorld) {
-    const GltfFile gltf = readGltf(file, report_);
+/// For each of the file's surfaces its place in the scene; last, that of none.
+std::vector<uint32_t> SceneBuilder::resolveMaterials(const GltfFile& gltf) {
     std::vector<bool> used(gltf.surfaces.size() + 1, false);
     for (const GltfFile::Instance& instance : gltf.instances)
         for (const GltfFile::Primitive& primitive : gltf.meshes[instance.mesh])
@@ -138,7 +151,7 @@ void SceneBuilder::addGltf(const fs::path& file, const glm::dmat4& toWorld) {
     for (size_t i = 0; i < gltf.surfaces.size(); ++i)
         if (used[i]) places[i] = addSurface(gltf, i);
     if (used.back()) places.back() = neutralMaterial("");
-    placeGltf(gltf, toWorld, places, scene_.mesh);
+    return places;
 }
 
 uint32_t SceneBuilder::addSurface(const GltfFile& gltf, size_t index) {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "core/io/gltf.h"
 #include "core/io/load_report.h"
+#include "core/io/model.h"
 #include "core/io/mtl.h"
-#include "core/io/obj.h"
 #include "core/io/texture_loader.h"
 #include "core/scene/scene.h"
 
@@ -23,18 +22,18 @@ namespace dirt {
 /// uses are not loaded.
 class SceneBuilder {
 public:
-    /// \p cache: whether OBJ files are read through their caches (see readObjCached).
-    SceneBuilder(Scene& scene, LoadReport& report, bool cache = false)
-        : scene_(scene), report_(report), cache_(cache), textures_(scene, report) {}
+    SceneBuilder(Scene& scene, LoadReport& report)
+        : scene_(scene), report_(report), textures_(scene, report) {}
 
-    /// Appends the triangles of an OBJ file, placed by \p toWorld: computed in double, rounded to
-    /// float32 once. Throws InputError where the file is bad (see readObj) or a transformed vertex
-    /// does not fit in float32. A missing MTL file, an undefined material and a missing or damaged
-    /// texture are warnings; Material's defaults stand in.
-    void addObj(const std::filesystem::path& file, const glm::dmat4& toWorld);
+    /// Reads the textures that the models' materials will ask for on threads, ahead of add().
+    void readTexturesAhead(const std::vector<Model>& models, Executor& executor,
+                           const LoadProgress& progress);
 
-    /// The same for a glTF file (see readGltf).
-    void addGltf(const std::filesystem::path& file, const glm::dmat4& toWorld);
+    /// Appends the triangles of a model, placed by \p toWorld: computed in double, rounded to
+    /// float32 once. Throws InputError where an MTL file is bad (see readMtl) or a transformed
+    /// vertex does not fit in float32. A missing MTL file, an undefined material and a missing or
+    /// damaged texture are warnings; Material's defaults stand in.
+    void add(const Model& model, const glm::dmat4& toWorld);
 
 private:
     using Library = std::map<std::string, std::pair<std::filesystem::path, MtlMaterial>>;
@@ -42,6 +41,7 @@ private:
     Library readLibraries(const ObjFile& obj);
     void readLibrary(const std::filesystem::path& file, Library& library);
     std::vector<uint32_t> resolveMaterials(const ObjFile& obj);
+    std::vector<uint32_t> resolveMaterials(const GltfFile& gltf);
     uint32_t addMaterial(const std::filesystem::path& library, const MtlMaterial& source);
     uint32_t addSurface(const GltfFile& gltf, size_t index);
     uint32_t neutralMaterial(const std::string& name);
@@ -53,7 +53,6 @@ private:
 
     Scene& scene_;
     LoadReport& report_;
-    bool cache_;
     /// By MTL file and name; without a file: the stand-ins.
     std::map<std::pair<std::string, std::string>, uint32_t> materials_;
     TextureLoader textures_;

@@ -17,9 +17,18 @@ std::string exactText(float value) {
 
 } // namespace
 
-TextureLoader::Result TextureLoader::read(const Source& source, const Read& read) {
+void TextureLoader::readAhead(const TextureLoader& announced, Executor& executor,
+                              const LoadProgress& progress) {
+    const std::vector<Announced>& list = announced.announced_;
+    std::vector<Result> results(list.size());
+    readAll(list.size(), executor, progress,
+            [&](size_t i) { results[i] = read(list[i].image, list[i].read); });
+    for (size_t i = 0; i < list.size(); ++i) ahead_[list[i].key] = std::move(results[i]);
+}
+
+TextureLoader::Result TextureLoader::read(const ImageFile& image, const Read& read) {
     try {
-        return read(*source.image);
+        return read(image);
     } catch (const InputError& error) {
         return std::string(error.what());
     }
@@ -30,15 +39,21 @@ uint32_t TextureLoader::load(const Source& source, const std::string& what,
                              std::vector<T>& textures, const Read& read) {
     const std::string path = source.image ? source.image->name.string()
                                           : (source.namedBy.parent_path() / source.label).string();
-    const auto [entry, isNew] = places_.try_emplace({path, what}, kNoTexture);
+    const Key key(path, what);
+    const auto [entry, isNew] = places_.try_emplace(key, kNoTexture);
     if (!isNew) return entry->second;
+    if (announcing_) {
+        if (source.image) announced_.push_back({key, *source.image, read});
+        return kNoTexture;
+    }
     const std::string name = "texture " + inQuotes(source.label);
     if (!source.image) {
         report_.warn(WarningKind::unusableTexture, source.namedBy, source.line,
                      name + " not found");
         return kNoTexture;
     }
-    Result result = this->read(source, read);
+    const auto ahead = ahead_.extract(key);
+    Result result = ahead ? std::move(ahead.mapped()) : this->read(*source.image, read);
     if (const auto* error = std::get_if<std::string>(&result))
         report_.warn(WarningKind::unusableTexture, source.namedBy, source.line,
                      name + ": " + *error);

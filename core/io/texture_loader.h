@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/load_report.h"
+#include "core/io/read_all.h"
 #include "core/io/texture_file.h"
 #include "core/scene/scene.h"
 
@@ -32,6 +33,13 @@ public:
 
     TextureLoader(Scene& scene, LoadReport& report) : scene_(scene), report_(report) {}
 
+    /// From now on textures are only taken note of, without warnings, and every answer is that
+    /// there is none.
+    void announce() { announcing_ = true; }
+    /// Reads what another loader has taken note of, on threads.
+    void readAhead(const TextureLoader& announced, Executor& executor,
+                   const LoadProgress& progress);
+
     /// In Scene::textures: the image times \p factor.
     uint32_t colour(const Source& source, glm::vec3 factor = glm::vec3(1.0f));
     /// In Scene::scalarTextures: the image's first channel.
@@ -46,7 +54,14 @@ private:
     using Result = std::variant<std::monostate, Texture, ScalarTexture, glm::vec3, std::string>;
     using Read = std::function<Result(const ImageFile&)>;
 
-    Result read(const Source& source, const Read& read);
+    using Key = std::pair<std::string, std::string>;
+    struct Announced {
+        Key key;
+        ImageFile image;
+        Read read;
+    };
+
+    static Result read(const ImageFile& image, const Read& read);
     template <typename T>
     uint32_t load(const Source& source, const std::string& what, std::vector<T>& textures,
                   const Read& read);
@@ -55,7 +70,10 @@ private:
     LoadReport& report_;
     std::vector<glm::vec3> means_;
     /// By path, or label where there is none, and what is read of it.
-    std::map<std::pair<std::string, std::string>, uint32_t> places_;
+    std::map<Key, uint32_t> places_;
+    bool announcing_ = false;
+    std::vector<Announced> announced_;
+    std::map<Key, Result> ahead_;
 };
 
 } // namespace dirt

@@ -1,0 +1,116 @@
+// Scenes of many files, read on threads: the same as one after the other.
+
+#include "backend_cpu/thread_pool.h"
+#include "core/io/load.h"
+#include "tests/io/input_error.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include <OpenImageIO/imageio.h>
+
+namespace dirt {
+namespace {
+
+class ParallelLoad : public testing::Test {
+protected:
+    static constexpr int kObjects = 12;
+
+    ParallelLoad() {
+        std::string scene = "<world>";
+        for (int i = 0; i < kObjects; ++i) {
+            const std::string n = std::to_string(i), m = std::to_string(i % 5);
+            writeTexture("t" + m + ".png", i % 5);
+            folder_.write("m" + n + ".mtl", "newmtl a\nKd 0 0 0\nmap_Kd t" + m + ".png\nNonsense" +
+                                                n + " 1\nnewmtl b\nmap_Kd none" + n +
+                                                ".png\nmap_Ks t0.png\nKs .5\n");
+            // A denormal, which must not depend on the thread.
+            folder_.write("o" + n + ".obj", "mtllib m" + n + ".mtl\nodd" + n + " 1\nv 1e-40 " + n +
+                                                " 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 "
+                                                "3/1\nusemtl b\nf 1 2 3\nusemtl c\nf 3 2 1\n");
+            scene += "<object file='o" + n + ".obj'/>";
+        }
+        scene += "<transformation translation='0 0 1'><object file='o3.obj'/></transformation>";
+        scene_ = folder_.write("a.scene", scene + "</world>");
+    }
+
+    void writeTexture(const std::string& name, int shade) {
+        const OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::UINT8);
+        const unsigned char texel[3] = {(unsigned char) (shade * 50), 7, 9};
+        const auto output = OIIO::ImageOutput::create(folder_ / name);
+        ASSERT_TRUE(output && output->open(folder_ / name, spec) &&
+                    output->write_image(OIIO::TypeDesc::UINT8, texel) && output->close());
+    }
+
+    test::TemporaryFolder folder_;
+    std::string scene_;
+};
+
+template <typename Value>
+bool sameBits(const std::vector<Value>& a, const std::vector<Value>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
+}
+
+TEST_F(ParallelLoad, GivesTheSameScene) {
+    const LoadedScene one = loadScene(scene_);
+    EXPECT_EQ(one.scene.textures.size(), 5u);
+    EXPECT_EQ(one.scene.scalarTextures.size(), 1u);
+    EXPECT_EQ(one.warnings.size(), 2u * kObjects);
+    EXPECT_EQ(one.ignored.size(), 2u * kObjects);
+    EXPECT_EQ(one.scene.mesh.positions[0].x, 1e-40f);
+    ThreadPool threads(4);
+    for (int round = 0; round < 20; ++round) {
+        size_t calls = 0, last = 0;
+        LoadOptions options;
+        options.executor = &threads;
+        options.progress = [&](size_t done, size_t total) {
+            ++calls;
+            EXPECT_LE(done, total);
+            last = total;
+        };
+        const LoadedScene many = loadScene(scene_, options);
+        EXPECT_EQ(calls, (size_t) kObjects + 11) << "models, then colours, their alpha, data";
+        EXPECT_EQ(last, 11u);
+        const Mesh &m = one.scene.mesh, &n = many.scene.mesh;
+        ASSERT_TRUE(sameBits(m.positions, n.positions) && sameBits(m.triangles, n.triangles) &&
+                    sameBits(m.materials, n.materials) && sameBits(m.texcoords, n.texcoords));
+        ASSERT_EQ(one.scene.materials.size(), many.scene.materials.size());
+        for (size_t i = 0; i < one.scene.materials.size(); ++i) {
+            const Material &a = one.scene.materials[i], &b = many.scene.materials[i];
+            EXPECT_EQ(a.name, b.name);
+            EXPECT_EQ(a.diffuse, b.diffuse);
+            EXPECT_EQ(a.diffuseMap, b.diffuseMap);
+            EXPECT_EQ(a.reflectanceMap, b.reflectanceMap);
+        }
+        ASSERT_EQ(one.scene.textures.size(), many.scene.textures.size());
+        for (size_t i = 0; i < one.scene.textures.size(); ++i) {
+            EXPECT_EQ(one.scene.textures[i].file(), many.scene.textures[i].file());
+            EXPECT_EQ(one.scene.textures[i].sample({0, 0}), many.scene.textures[i].sample({0, 0}));
+        }
+        ASSERT_EQ(one.warnings.size(), many.warnings.size());
+        for (size_t i = 0; i < one.warnings.size(); ++i)
+            EXPECT_EQ(one.warnings[i].text, many.warnings[i].text);
+        EXPECT_EQ(one.ignored, many.ignored);
+    }
+}
+
+TEST_F(ParallelLoad, TheFirstErrorCounts) {
+    for (int i : {2, 5, 9})
+        folder_.write("o" + std::to_string(i) + ".obj", "v 0 0 0\nf 1 1 " + std::to_string(i + 7));
+    const std::string what = inputError([&] { loadScene(scene_); });
+    EXPECT_EQ(what, folder_ / "o2.obj:2: v index 9 is out of range (1 present)");
+    ThreadPool threads(4);
+    LoadOptions options;
+    options.executor = &threads;
+    for (int round = 0; round < 50; ++round)
+        ASSERT_EQ(inputError([&] { loadScene(scene_, options); }), what);
+    options.strict = true;
+    folder_.write("o2.obj", "v 0 0 0\nf 1 1 1");
+    EXPECT_NE(inputError([&] { loadScene(scene_, options); }).find("o5.obj"), std::string::npos);
+}
+
+} // namespace
+} // namespace dirt
