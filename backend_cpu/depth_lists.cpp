@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 
 namespace dirt {
 namespace {
 
 constexpr size_t kTilesPerPiece = 512;
+
+/// Depths are not negative, and the bits of such floats are in their order.
+uint64_t key(const DepthEntry& entry) {
+    return (uint64_t) std::bit_cast<uint32_t>(entry.near) << 32 | entry.item;
+}
 
 } // namespace
 
@@ -34,9 +40,7 @@ void sortIntoTiles(std::span<const FragmentPiece> pieces, size_t tiles, Executor
         for (size_t tile = begin; tile < end; ++tile)
             std::sort(lists.entries.begin() + lists.heads[tile],
                       lists.entries.begin() + lists.heads[tile + 1],
-                      [](const DepthEntry& a, const DepthEntry& b) {
-                          return a.near < b.near || (a.near == b.near && a.item < b.item);
-                      });
+                      [](const DepthEntry& a, const DepthEntry& b) { return key(a) < key(b); });
     });
 }
 
