@@ -68,7 +68,8 @@ uint64_t DirectVisibility::run(const TriangleBuffer& triangles, const SceneBuffe
     glViewport(0, 0, width_, height_);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS); // at equal depth the first: the lowest id
-    programs_.use(directVisibilitySource());
+    programs_.use(directVisibilitySource(scene.variant()));
+    scene.bind();
     const glm::dmat3 matrix = toClip(plane, width_, height_, offset);
     glUniformMatrix3dv(2, 1, GL_FALSE, &matrix[0][0]);
     glBindTextureUnit(3, triangles.texture());

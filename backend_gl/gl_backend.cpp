@@ -182,7 +182,7 @@ std::vector<BufferSize> GlBackend::memory() const {
 }
 
 TracedStructure GlBackend::structure() const {
-    return {views_, triangles_, bounds_, ids_, grid_.settings};
+    return {views_, triangles_, bounds_, ids_, grid_.settings, passes_.cutOuts()};
 }
 
 /// Any hits before \p maxT, or nearest hits where that is empty.

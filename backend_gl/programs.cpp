@@ -16,9 +16,9 @@ std::string define(const char* name, int value) {
 }
 
 std::vector<std::string> surfaceDefines(const SurfaceVariant& surfaces) {
-    std::vector<std::string> defines = {
-        define("DIRT_NORMALS", surfaces.normals), define("DIRT_TEXTURES", surfaces.textures),
-        define("DIRT_EMISSION", surfaces.emission), define("DIRT_GLOSS", surfaces.gloss)};
+    std::vector<std::string> defines = {define("DIRT_NORMALS", surfaces.normals),
+                                        define("DIRT_TEXTURES", surfaces.textures),
+                                        define("DIRT_BUMPS", surfaces.bumps)};
     if (surfaces.textures) {
         defines.push_back(define("DIRT_TEXEL_PIECES", surfaces.texelPieces));
         defines.push_back(define("DIRT_TEXEL_PIECE_BITS", surfaces.texelPieceBits));
@@ -75,13 +75,15 @@ ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segment
             {}};
 }
 
-ProgramSource traceSource(Search search, int segments, int segmentBits) {
-    return {search == Search::any ? "Visibility" : "Trace",
-            {"trace.comp"},
-            {define("DIRT_ANY_HIT", search == Search::any),
-             define("DIRT_PATHS", search == Search::paths), define("DIRT_SEGMENTS", segments),
-             define("DIRT_SEGMENT_BITS", segmentBits)},
-            {}};
+ProgramSource traceSource(Search search, int segments, int segmentBits,
+                          const SurfaceVariant* cutOuts) {
+    std::vector<std::string> defines = {
+        define("DIRT_ANY_HIT", search == Search::any),
+        define("DIRT_PATHS", search == Search::paths), define("DIRT_SEGMENTS", segments),
+        define("DIRT_SEGMENT_BITS", segmentBits), define("DIRT_CUT_OUTS", cutOuts != nullptr)};
+    if (cutOuts)
+        for (std::string& line : surfaceDefines(*cutOuts)) defines.push_back(std::move(line));
+    return {search == Search::any ? "Visibility" : "Trace", {"trace.comp"}, std::move(defines), {}};
 }
 
 ProgramSource clearPathsSource(bool rays, bool current) {
@@ -102,8 +104,14 @@ ProgramSource raysSource(bool scatters, bool gloss) {
             {}};
 }
 
-ProgramSource directVisibilitySource() {
-    return {"DirectVisibility", {"direct_visibility.vert", "direct_visibility.frag"}, {}, {}};
+ProgramSource directVisibilitySource(const SurfaceVariant& surfaces) {
+    std::vector<std::string> defines = {define("DIRT_CUT_OUTS", surfaces.cutOuts)};
+    if (surfaces.cutOuts)
+        for (std::string& line : surfaceDefines(surfaces)) defines.push_back(std::move(line));
+    return {"DirectVisibility",
+            {"direct_visibility.vert", "direct_visibility.frag"},
+            std::move(defines),
+            {}};
 }
 
 ProgramSource firstPointsSource(const SurfaceVariant& surfaces) {

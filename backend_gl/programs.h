@@ -23,10 +23,10 @@ enum class Search { nearest, any, paths };
 
 /// How surfaces are fetched: what the scene has, and how its texels are stored.
 struct SurfaceVariant {
-    bool normals = false, textures = false, emission = false;
+    bool normals = false, textures = false, bumps = false;
+    bool cutOuts = false;
     int texelPieces = 1;
     int texelPieceBits = 0; ///< log2 of a piece's words
-    bool gloss = false;
 
     /// Words that a rasterized triangle leaves with its hits.
     int depositWords() const { return 10 + (normals ? 9 : 0) + (textures ? 6 : 0); }
@@ -41,11 +41,13 @@ ProgramSource trianglesAtEyeSource();
 ProgramSource fillDepthSource(ViewMode mode, Proposal proposal);
 ProgramSource fillDepthMipmapSource();
 ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segments, int segmentBits);
-ProgramSource traceSource(Search search, int segments, int segmentBits);
+/// \p cutOuts: surfaces with holes; else null.
+ProgramSource traceSource(Search search, int segments, int segmentBits,
+                          const SurfaceVariant* cutOuts = nullptr);
 ProgramSource clearPathsSource(bool rays, bool current);
 ProgramSource depthMaskSource();
 ProgramSource raysSource(bool scatters, bool gloss);
-ProgramSource directVisibilitySource();
+ProgramSource directVisibilitySource(const SurfaceVariant& surfaces);
 ProgramSource firstPointsSource(const SurfaceVariant& surfaces);
 ProgramSource fetchSource(const SurfaceVariant& surfaces, bool raster);
 ProgramSource groupHitsSource();

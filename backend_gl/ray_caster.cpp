@@ -24,7 +24,9 @@ void RayCaster::begin(const TracedStructure& structure, Search search) {
                                structure.ids.heads(), structure.views.atEyeTexture()};
     glBindTextures(2, 4, textures);
     structure.ids.bindNodes();
-    programs_.use(traceSource(search, structure.ids.segments(), structure.ids.segmentBits()));
+    programs_.use(traceSource(search, structure.ids.segments(), structure.ids.segmentBits(),
+                              structure.cutOuts ? &structure.cutOuts->variant() : nullptr));
+    if (structure.cutOuts) structure.cutOuts->bind();
     const GridSettings& settings = structure.settings;
     const int levels = structure.bounds.levels() - 1;
     glUniform1i(1, settings.traversal == Traversal::linear ? 0
@@ -74,7 +76,7 @@ CastCounts RayCaster::cast(const TracedStructure& structure, Search search, cons
 CastCounts RayCaster::castPaths(const TracedStructure& structure, const GlPathBuffers& paths,
                                 bool masked) {
     begin(structure, Search::paths);
-    glBindTextureUnit(6, paths.mask());
+    glBindTextureUnit(8, paths.mask());
     glUniform1i(6, masked);
     CastCounts sum;
     for (size_t first = 0; first < paths.pixels(); first += kMostRays) {

@@ -3,6 +3,7 @@
 #include "backend_gl/grid_views.h"
 #include "backend_gl/id_buffer.h"
 #include "backend_gl/path_buffers.h"
+#include "backend_gl/scene_buffers.h"
 #include "core/frame/settings.h"
 
 namespace dirt {
@@ -14,6 +15,7 @@ struct TracedStructure {
     const DepthBoundsTexture& bounds;
     const IdBuffer& ids;
     const GridSettings& settings;
+    const SceneBuffers* cutOuts = nullptr; ///< surfaces with holes, if there are any
 };
 
 /// A ray of the search that is no path's, as include/ray_record.glsl has it.

@@ -1,6 +1,5 @@
 #include "backend_gl/sample_passes.h"
 
-#include "core/io/error.h"
 #include "core/path/camera_rays.h"
 #include "core/path/spotlight.h"
 
@@ -18,13 +17,6 @@ GLuint groupsOf(uint32_t count) {
     return (count + kGroup - 1) / kGroup;
 }
 
-/// Says what is not there yet, rather than leave it out of the image.
-void refuse(bool required, const char* what) {
-    if (required)
-        throw CapabilityError(std::string("--backend gl: the scene has ") + what +
-                              ", which is not built yet");
-}
-
 } // namespace
 
 SamplePasses::SamplePasses(Programs& programs)
@@ -33,10 +25,6 @@ SamplePasses::SamplePasses(Programs& programs)
 
 void SamplePasses::beginFrame(const Scene& scene, const RenderSettings& settings,
                               const Requirements& need, const GridFrame& frame) {
-    refuse(need.emissionTextures, "map_Ke");
-    refuse(need.reflectanceTextures, "map_Ks");
-    refuse(need.bumps, "map_bump");
-    refuse(need.cutOuts, "cut-outs");
     need_ = need;
     mode_ = settings.grid.mode;
     fetch_ = settings.fetch;
@@ -82,7 +70,7 @@ void SamplePasses::use(const ProgramSource& program, uint32_t sample, int event)
 }
 
 void SamplePasses::directVisibility(uint32_t sample, const TriangleBuffer& triangles) {
-    use(directVisibilitySource(), sample, 0);
+    use(directVisibilitySource(scene_.variant()), sample, 0);
     counts_.rays += paths_.pixels();
     counts_.hits += directVisibility_.run(triangles, scene_, parameters_.plane,
                                           {parameters_.offsetX, parameters_.offsetY}, paths_);

@@ -33,6 +33,8 @@ public:
     void shift() { paths_.shift(); }
     void resolve();
 
+    /// Surfaces with holes; null where the frame has none.
+    const SceneBuffers* cutOuts() const { return scene_.variant().cutOuts ? &scene_ : nullptr; }
     GlPathBuffers& paths() { return paths_; }
     const GlPathBuffers& paths() const { return paths_; }
     const FrameCounts& counts() const { return counts_; }

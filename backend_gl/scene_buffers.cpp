@@ -41,48 +41,76 @@ uint64_t wordCount(const Texture& texture) {
     return texture.encodedTexels().size() / 3 + texture.linearTexels().size();
 }
 
+std::vector<uint32_t> wordsOf(const ScalarTexture& texture) {
+    std::vector<uint32_t> words;
+    words.reserve((size_t) texture.width() * (size_t) texture.height());
+    for (int y = 0; y < texture.height(); ++y)
+        for (int x = 0; x < texture.width(); ++x)
+            words.push_back(std::bit_cast<uint32_t>(texture.texel(x, y)));
+    return words;
+}
+
+bool needsTextures(const Scene& scene, const Requirements& need) {
+    const auto hasOpacityMap = [](const Material& m) { return m.opacityMap != kNoTexture; };
+    return need.diffuseTextures || need.emissionTextures || need.reflectanceTextures ||
+           need.bumps ||
+           (need.cutOuts && !scene.mesh.texcoords.empty() &&
+            std::any_of(scene.materials.begin(), scene.materials.end(), hasOpacityMap));
+}
+
 } // namespace
 
 void SceneBuffers::upload(const Scene& scene, const Requirements& need) {
     *this = {}; // before the next ones are allocated
     variant_.normals = need.shadingNormals;
-    variant_.textures = need.diffuseTextures;
-    variant_.emission = need.emission;
-    variant_.gloss = need.gloss;
+    variant_.bumps = need.bumps;
+    variant_.cutOuts = need.cutOuts;
+    variant_.textures = needsTextures(scene, need);
     uploadMaterials(scene);
     const Mesh& mesh = scene.mesh;
     if (need.shadingNormals) {
         normalIndices_ = texelBuffer(GL_RGB32UI, sizeof(Corners), mesh.normalIndices, "triangles");
         normals_ = texelBuffer(GL_RGB32F, sizeof(glm::vec3), mesh.normals, "normals");
     }
-    if (need.diffuseTextures) {
+    if (variant_.textures) {
         texcoordIndices_ =
             texelBuffer(GL_RGB32UI, sizeof(Corners), mesh.texcoordIndices, "triangles");
         texcoords_ =
             texelBuffer(GL_RG32F, sizeof(glm::vec2), mesh.texcoords, "texture coordinates");
-        uploadTextures(scene.textures);
+        uploadTextures(scene);
     }
 }
 
 void SceneBuffers::uploadMaterials(const Scene& scene) {
     std::vector<Words> words;
-    for (const Material& material : scene.materials) {
-        words.push_back(wordsOf(material.diffuse, material.diffuseMap));
-        words.push_back(wordsOf(material.emission, 0));
-        words.push_back(wordsOf({material.reflectance, material.metallic, material.roughness}, 0));
+    // Data follow the colours in the table of textures.
+    const auto ofData = [&](uint32_t map) {
+        return map == kNoTexture ? map : map + (uint32_t) scene.textures.size();
+    };
+    for (const Material& m : scene.materials) {
+        words.push_back(wordsOf(m.diffuse, m.diffuseMap));
+        words.push_back(wordsOf(m.emission, m.emissionMap));
+        words.push_back(
+            wordsOf(glm::vec3(m.reflectance, m.metallic, m.roughness), ofData(m.reflectanceMap)));
+        words.push_back({std::bit_cast<uint32_t>(m.opacity), std::bit_cast<uint32_t>(m.bumpScale),
+                         ofData(m.bumpMap), ofData(m.opacityMap)});
     }
     materials_ = texelBuffer(GL_RGBA32UI, sizeof(Words), words, "materials");
     materialOf_ = texelBuffer(GL_R32UI, sizeof(uint32_t), scene.mesh.materials, "triangles");
 }
 
-void SceneBuffers::uploadTextures(const std::vector<Texture>& textures) {
+void SceneBuffers::uploadTextures(const Scene& scene) {
     std::vector<Words> table;
     uint64_t total = 0;
-    for (const Texture& texture : textures) {
-        table.push_back({(uint32_t) total, (uint32_t) texture.width(), (uint32_t) texture.height(),
-                         texture.linearTexels().empty() ? 0u : 1u});
-        total += wordCount(texture);
-    }
+    const auto enter = [&](const auto& texture, uint32_t kind, uint64_t words) {
+        table.push_back(
+            {(uint32_t) total, (uint32_t) texture.width(), (uint32_t) texture.height(), kind});
+        total += words;
+    };
+    for (const Texture& texture : scene.textures)
+        enter(texture, texture.linearTexels().empty() ? 0 : 1, wordCount(texture));
+    for (const ScalarTexture& texture : scene.scalarTextures)
+        enter(texture, 0, (uint64_t) texture.width() * (uint64_t) texture.height());
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
     variant_.texelPieceBits = std::min((int) std::bit_width((uint32_t) most) - 1, 31);
@@ -96,16 +124,19 @@ void SceneBuffers::uploadTextures(const std::vector<Texture>& textures) {
     std::vector<GlBuffer> pieces;
     for (uint64_t first = 0; first < std::max<uint64_t>(total, 1); first += piece)
         pieces.emplace_back(std::min(piece, total - first) * sizeof(uint32_t));
-    for (size_t i = 0; i < textures.size(); ++i) {
-        const std::vector<uint32_t> words = wordsOf(textures[i]);
+    const auto write = [&](uint64_t place, const std::vector<uint32_t>& words) {
         for (uint64_t done = 0; done < words.size();) {
-            const uint64_t at = table[i][0] + done, inPiece = at % piece;
+            const uint64_t at = place + done, inPiece = at % piece;
             const uint64_t count = std::min(words.size() - done, piece - inPiece);
             pieces[at / piece].write(inPiece * sizeof(uint32_t), count * sizeof(uint32_t),
                                      words.data() + done);
             done += count;
         }
-    }
+    };
+    size_t entry = 0;
+    for (const Texture& texture : scene.textures) write(table[entry++][0], wordsOf(texture));
+    for (const ScalarTexture& texture : scene.scalarTextures)
+        write(table[entry++][0], wordsOf(texture));
     variant_.texelPieces = (int) pieces.size();
     for (GlBuffer& words : pieces) texels_.emplace_back(GL_R32UI, std::move(words));
     textureTable_ = texelBuffer(GL_RGBA32UI, sizeof(Words), table, "textures");

@@ -23,7 +23,7 @@ public:
 
 private:
     void uploadMaterials(const Scene& scene);
-    void uploadTextures(const std::vector<Texture>& textures);
+    void uploadTextures(const Scene& scene);
 
     SurfaceVariant variant_;
     TexelBuffer materialOf_, materials_;

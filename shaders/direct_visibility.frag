@@ -6,6 +6,9 @@
 #include "shared/layouts.h"
 #include "include/triangles.glsl"
 #include "include/seen_point.glsl"
+#if DIRT_CUT_OUTS
+#include "include/materials.glsl"
+#endif
 
 layout(location = 0) out uint seenPrimitive;
 
@@ -14,6 +17,9 @@ void main() {
     TriangleHit hit;
     if (!seenPoint(primaryRay(directionThrough(uvec2(gl_FragCoord.xy))), triangleOf(id), hit))
         discard;
+#if DIRT_CUT_OUTS
+    if (!isThere(id, hit.u, hit.v)) discard;
+#endif
     seenPrimitive = id;
     gl_FragDepth = hit.t * 0.125; // exact, and below 1: no coordinate is 2 or more
 }

@@ -11,6 +11,9 @@
 #include "include/nodes.glsl"
 #include "include/ray_record.glsl"
 #include "shared/layouts.h"
+#if DIRT_CUT_OUTS
+#include "include/materials.glsl"
+#endif
 
 layout(local_size_x = 64) in;
 
@@ -46,7 +49,7 @@ layout(std430, binding = DIRT_SEGMENTS + 2) buffer States {
 layout(binding = 4) uniform usampler2DArray headTexture;
 layout(binding = 5) uniform usamplerBuffer atEye;
 #if DIRT_PATHS
-layout(binding = 6) uniform usamplerBuffer mask; // of all pixels
+layout(binding = 8) uniform usamplerBuffer mask; // of all pixels
 #endif
 
 layout(location = 0) uniform uint count;
@@ -99,6 +102,11 @@ bool test(inout Search search, uint id) {
         return false;
 #if DIRT_ANY_HIT
     if (!(hit.t < search.maxT)) return false;
+#endif
+#if DIRT_CUT_OUTS
+    if (!isThere(id, hit.u, hit.v)) return false;
+#endif
+#if DIRT_ANY_HIT
     search.limit = -1.0LF; // ends the walk
 #else
     search.limit = upperBound(hit.t);

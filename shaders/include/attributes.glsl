@@ -1,29 +1,16 @@
 // A triangle's attributes, by primitive id, and what Fetch makes of them: core/path/surface.h.
-// DIRT_NORMALS, DIRT_TEXTURES and DIRT_GLOSS say what the scene has.
+// DIRT_NORMALS, DIRT_TEXTURES and DIRT_BUMPS say what the scene
+// has.
 
 #include "include/frame.glsl"
 #include "include/triangles.glsl"
-#include "shared/layouts.h"
+#include "include/materials.glsl"
 #include "shared/reflection.h"
-#include "shared/surface.h"
-#if DIRT_TEXTURES
-#include "include/textures.glsl"
-#endif
 
-layout(binding = 6) uniform usamplerBuffer materialOf;
-layout(binding = 7) uniform usamplerBuffer materials; // (Kd, map), (Ke, 0), (Ks, metallic,
-                                                      // roughness, 0) as bits
 #if DIRT_NORMALS
 layout(binding = 8) uniform usamplerBuffer normalIndices;
 layout(binding = 9) uniform samplerBuffer normals;
 #endif
-#if DIRT_TEXTURES
-layout(binding = 10) uniform usamplerBuffer texcoordIndices;
-layout(binding = 11) uniform samplerBuffer texcoords;
-#endif
-
-const uint kNoIndex = 0xffffffffu;
-
 struct Attributes {
     Triangle triangle;
     uint material;
@@ -37,24 +24,20 @@ struct Attributes {
 #endif
 };
 
-bool present(uvec3 corners) {
-    return all(notEqual(corners, uvec3(kNoIndex)));
-}
-
 Attributes attributesOf(uint primitive) {
     Attributes attributes;
     attributes.triangle = triangleOf(primitive);
     attributes.material = texelFetch(materialOf, int(primitive)).x;
 #if DIRT_NORMALS
     uvec3 n = texelFetch(normalIndices, int(primitive)).xyz;
-    attributes.hasNormals = present(n);
+    attributes.hasNormals = isPresent(n);
     for (int i = 0; i < 3; ++i)
         attributes.normals[i] =
             attributes.hasNormals ? texelFetch(normals, int(n[i])).xyz : vec3(0.0);
 #endif
 #if DIRT_TEXTURES
     uvec3 t = texelFetch(texcoordIndices, int(primitive)).xyz;
-    attributes.hasTexcoords = present(t);
+    attributes.hasTexcoords = isPresent(t);
     for (int i = 0; i < 3; ++i)
         attributes.texcoords[i] =
             attributes.hasTexcoords ? texelFetch(texcoords, int(t[i])).xy : vec2(0.0);
@@ -62,47 +45,68 @@ Attributes attributesOf(uint primitive) {
     return attributes;
 }
 
-vec3 shadingNormal(Attributes attributes, vec3 geometric, float u, float v) {
-#if DIRT_NORMALS
-    if (attributes.hasNormals) {
-        vec3 normal = interpolate(attributes.normals[0], attributes.normals[1],
-                                  attributes.normals[2], u, v);
-        return shadingNormalFrom(directionToGrid(normal), geometric);
-    }
-#endif
-    return geometric;
+#if DIRT_BUMPS
+/// A normal, turned by the material's heights.
+vec3 bumped(Attributes attributes, uvec4 part, vec2 texcoord, vec3 normal) {
+    precise vec2 slopes = slopesOf(part.z, texcoord) * uintBitsToFloat(part.y);
+    Triangle t = attributes.triangle;
+    precise vec3 e = t.b - t.a, f = t.c - t.a;
+    precise vec2 de = attributes.texcoords[1] - attributes.texcoords[0];
+    precise vec2 df = attributes.texcoords[2] - attributes.texcoords[0];
+    return bumpedNormal(normal, e, f, de, df, slopes);
 }
-
-vec3 diffuseReflectance(Attributes attributes, float u, float v) {
-    uvec4 material = texelFetch(materials, int(attributes.material) * 3);
-#if DIRT_TEXTURES
-    if (material.w != kNoTexture && attributes.hasTexcoords)
-        return sampleTexture(material.w, interpolate(attributes.texcoords[0],
-                                                     attributes.texcoords[1],
-                                                     attributes.texcoords[2], u, v));
 #endif
-    return uintBitsToFloat(material.xyz);
-}
 
 /// fetchSurface: the surface point at (u, v), seen along a direction.
 SurfacePoint surfaceAt(Attributes attributes, uint primitive, float u, float v, vec3 direction) {
     Triangle t = attributes.triangle;
-    SurfacePoint point = SurfacePoint(vec3(0.0), primitive, vec3(0.0), u, vec3(0.0), v, vec3(0.0),
-                                      0.0, vec3(0.0), 0u);
+    uvec4 parts[4];
+    for (int i = 0; i < 4; ++i) parts[i] = materialTexel(attributes.material, i);
+    SurfacePoint point;
+    point.primitive = primitive;
+    point.u = u;
+    point.v = v;
     point.position = interpolate(t.a, t.b, t.c, u, v);
-    point.geometricNormal = facing(triangleNormal(t.a, t.b, t.c), -direction);
-    point.shadingNormal = shadingNormal(attributes, point.geometricNormal, u, v);
-    point.diffuse = diffuseReflectance(attributes, u, v);
-#if DIRT_EMISSION
-    point.emission = uintBitsToFloat(texelFetch(materials, int(attributes.material) * 3 + 1).xyz);
-#endif
-#if DIRT_GLOSS
-    vec3 gloss =
-        uintBitsToFloat(texelFetch(materials, int(attributes.material) * 3 + 2).xyz);
-    if (gloss.x > 0.0) {
-        point.roughness = gloss.z;
-        point.gloss = packGloss(gloss.x, gloss.y);
+    vec3 outward = triangleNormal(t.a, t.b, t.c);
+    point.geometricNormal = facing(outward, -direction);
+    point.shadingNormal = point.geometricNormal;
+    vec3 normal = outward;
+#if DIRT_NORMALS
+    if (attributes.hasNormals) {
+        normal = directionToGrid(interpolate(attributes.normals[0], attributes.normals[1],
+                                             attributes.normals[2], u, v));
+        point.shadingNormal = shadingNormalFrom(normal, point.geometricNormal);
     }
 #endif
+    point.diffuse = uintBitsToFloat(parts[0].xyz);
+    point.emission = uintBitsToFloat(parts[1].xyz);
+    precise float reflectance = uintBitsToFloat(parts[2].x);
+#if DIRT_TEXTURES
+    if (attributes.hasTexcoords) {
+        vec2 texcoord = interpolate(attributes.texcoords[0], attributes.texcoords[1],
+                                    attributes.texcoords[2], u, v);
+        if (parts[0].w != kNoTexture) point.diffuse = sampleTexture(parts[0].w, texcoord);
+        if (parts[1].w != kNoTexture) {
+            precise vec3 emission = point.emission * sampleTexture(parts[1].w, texcoord);
+            point.emission = emission;
+        }
+        if (parts[2].w != kNoTexture)
+            reflectance = reflectance * sampleScalar(parts[2].w, texcoord);
+#if DIRT_BUMPS
+        if (parts[3].z != kNoTexture) {
+            // Heights rise on the side of the surface's own normal, whichever is seen.
+            vec3 base = shadingNormalFrom(normal, normal);
+            normal = bumped(attributes, parts[3], texcoord, base);
+            point.shadingNormal = shadingNormalFrom(normal, point.geometricNormal);
+        }
+#endif
+    }
+#endif
+    point.roughness = 0.0;
+    point.gloss = 0u;
+    if (reflectance > 0.0) {
+        point.roughness = uintBitsToFloat(parts[2].z);
+        point.gloss = packGloss(reflectance < 1.0 ? reflectance : 1.0, uintBitsToFloat(parts[2].y));
+    }
     return point;
 }

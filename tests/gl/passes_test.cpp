@@ -5,6 +5,7 @@
 #include "backend_cpu/thread_pool.h"
 #include "backend_gl/gl_backend.h"
 #include "core/frame/renderer.h"
+#include "core/io/load.h"
 #include "tests/frame/shapes.h"
 #include "tests/gl/paths.h"
 #include "tests/support/print.h"
@@ -151,6 +152,31 @@ TEST(GlPasses, EqualTheCpusOnSmallScenes) {
         BothBackends both(scene, settings, gl, pool);
         both.sample((uint32_t) i);
         ASSERT_FALSE(HasFailure()) << "case " << i << ", " << describe(set);
+    }
+}
+
+/// Microfacets of all models, bumps, cut-outs, emission from textures, a lens, roulette.
+TEST(GlPasses, EqualTheCpusOnMaterials) {
+    GlBackend gl;
+    ThreadPool pool(2);
+    int index = 0;
+    for (const char* name : {"materials", "materials_ggx", "cards", "lens"}) {
+        RenderSettings settings;
+        settings.grid.mode = index % 2 ? ViewMode::single : ViewMode::full;
+        settings.grid.width = 40;
+        settings.grid.height = 30;
+        settings.bounces = index == 0 ? 5 : 2;
+        settings.fetch = index % 2 ? Fetch::direct : Fetch::raster;
+        settings.rayType = index == 1 ? RayType::glossy : RayType::normal;
+        settings.primary = std::string(name) == "cards" ? Primary::traced : Primary::raster;
+        const std::string file =
+            std::string(DIRT_SOURCE_DIR "/tests/golden/scenes/") + name + ".scene";
+        const Scene scene = loadScene(file, {}).scene;
+        BothBackends both(scene, settings, gl, pool);
+        both.sample(3);
+        ASSERT_FALSE(HasFailure()) << name;
+        EXPECT_GT(both.hits, 100u) << name;
+        ++index;
     }
 }
 

@@ -12,22 +12,18 @@
 namespace dirt::test {
 namespace {
 
-/// What a scene may have of normals, textures and emission; texels in one piece or two.
+/// What a scene may have of normals, textures, heights and holes; texels in one piece or two.
 std::vector<SurfaceVariant> surfaceVariants() {
     std::vector<SurfaceVariant> variants;
-    for (int has = 0; has < 16; ++has) {
-        SurfaceVariant variant{(has & 1) != 0, (has & 2) != 0, (has & 4) != 0, 1, 27,
-                               (has & 8) != 0};
-        variants.push_back(variant);
-        variant.texelPieces = 2;
-        if (variant.textures) variants.push_back(variant);
-    }
+    for (bool normals : {false, true})
+        for (int pieces : {0, 1, 2}) // none: no textures
+            variants.push_back({normals, pieces > 0, pieces > 1, pieces == 1, pieces, 27});
     return variants;
 }
 
 void addPathPasses(std::vector<ProgramSource>& all) {
-    all.insert(all.end(), {depthMaskSource(), groupHitsSource(), visibilitySource(),
-                           resolveSource(), directVisibilitySource()});
+    all.insert(all.end(),
+               {depthMaskSource(), groupHitsSource(), visibilitySource(), resolveSource()});
     for (int has = 0; has < 4; ++has)
         all.push_back(clearPathsSource((has & 1) != 0, (has & 2) != 0));
     for (bool gloss : {false, true}) {
@@ -39,7 +35,10 @@ void addPathPasses(std::vector<ProgramSource>& all) {
                 shadeSource((has & 1) != 0, (has & 2) != 0, (has & 4) != 0, (has & 8) != 0, gloss));
     }
     for (const SurfaceVariant& surfaces : surfaceVariants()) {
-        all.insert(all.end(), {firstPointsSource(surfaces), fetchAtEyeSource(surfaces)});
+        all.insert(all.end(), {firstPointsSource(surfaces), fetchAtEyeSource(surfaces),
+                               directVisibilitySource(surfaces)});
+        for (Search search : {Search::any, Search::paths})
+            all.push_back(traceSource(search, 13, 24, &surfaces));
         for (bool raster : {false, true}) all.push_back(fetchSource(surfaces, raster));
         for (ViewMode mode : {ViewMode::full, ViewMode::single})
             all.push_back(rasterFetchSource(mode, surfaces));

@@ -1,0 +1,42 @@
+// Materials, and texture coordinates by primitive id.
+
+#include "shared/surface.h"
+
+layout(binding = 6) uniform usamplerBuffer materialOf;
+layout(binding = 7) uniform usamplerBuffer materials; // four texels each, as bits:
+// (Kd, its map), (Ke, its map), (reflectance, metallic, roughness, reflectance's map),
+// (opacity, scale of heights, map of heights, opacity's map)
+
+#if DIRT_TEXTURES
+#include "include/textures.glsl"
+
+layout(binding = 10) uniform usamplerBuffer texcoordIndices;
+layout(binding = 11) uniform samplerBuffer texcoords;
+#endif
+
+const uint kNoIndex = 0xffffffffu;
+
+uvec4 materialTexel(uint material, int part) {
+    return texelFetch(materials, int(material) * 4 + part);
+}
+
+bool isPresent(uvec3 corners) {
+    return all(notEqual(corners, uvec3(kNoIndex)));
+}
+
+/// isThere of core/scene/cut_outs.h: whether a point of a primitive is not cut out.
+bool isThere(uint primitive, float u, float v) {
+    uvec4 part = materialTexel(texelFetch(materialOf, int(primitive)).x, 3);
+    precise float opacity = uintBitsToFloat(part.x);
+#if DIRT_TEXTURES
+    if (part.w != kNoTexture) {
+        uvec3 t = texelFetch(texcoordIndices, int(primitive)).xyz;
+        if (isPresent(t)) {
+            vec2 a = texelFetch(texcoords, int(t.x)).xy, b = texelFetch(texcoords, int(t.y)).xy;
+            vec2 c = texelFetch(texcoords, int(t.z)).xy;
+            opacity = opacity * sampleScalar(part.w, interpolate(a, b, c, u, v));
+        }
+    }
+#endif
+    return opacity >= 0.5;
+}
