@@ -161,8 +161,8 @@ void passTrace(const FrameContext& frame, Executor& executor, Tracer& tracer, in
         tracer.intersect({rays.data(), count}, {hits.data(), count});
         executor.forRange(count, kGrain, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
-                const bool seen =
-                    event == 0 || !frame.view || frame.view->part(rays[i]).holds(hits[i].t);
+                const bool within = !frame.view || (event == 0 && !frame.requirements.lens);
+                const bool seen = within || frame.view->part(rays[i]).holds(hits[i].t);
                 if (seen) paths.hits[slice[i]] = hits[i];
             }
         });

@@ -39,8 +39,8 @@ void passDepthMask(const FrameContext& frame, Executor& executor, int event, Pat
 void passRays(const FrameContext& frame, Executor& executor, uint32_t sample, int event,
               PathBuffers& paths);
 
-/// Nearest hits of the rays, which it adds to \p counts. In single mode a secondary ray that
-/// leaves the view hits nothing.
+/// Nearest hits of the rays, which it adds to \p counts. In single mode a ray that leaves the view
+/// hits nothing; those from the eye never do, those through a lens may.
 void passTrace(const FrameContext& frame, Executor& executor, Tracer& tracer, int event,
                PathBuffers& paths, FrameCounts& counts);
 
