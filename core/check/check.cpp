@@ -2,7 +2,6 @@
 
 #include "core/check/check_construction.h"
 #include "core/check/check_paths.h"
-#include "core/io/error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,19 +44,17 @@ std::vector<CheckRow> checkConstruction(const Mesh& mesh, const Camera& camera,
 
 CheckReport checkBackends(const Scene& scene, const RenderSettings& settings, Backend& first,
                           Backend& second) {
-    const BuiltStructure a = buildOn(first, scene.mesh, scene.camera, settings.grid);
-    const BuiltStructure b = buildOn(second, scene.mesh, scene.camera, settings.grid);
+    BuiltStructure a = buildOn(first, scene.mesh, scene.camera, settings.grid);
+    BuiltStructure b = buildOn(second, scene.mesh, scene.camera, settings.grid);
+    const bool cutOuts = requirementsOf(scene, settings, first.rasterizes()).cutOuts;
+    a.geometry.cutOuts = b.geometry.cutOuts = cutOuts ? &scene : nullptr;
     CheckReport report;
     report.rows = checkConstruction(a, b, scene.camera, first, second);
-    try {
-        SampleCheck onFirst = checkPaths(scene, settings, a, first, second);
-        SampleCheck onSecond = checkPaths(scene, settings, b, second, first);
-        report.means = {meanOf(onFirst, onFirst, onSecond), meanOf(onSecond, onFirst, onSecond)};
-        for (SampleCheck* check : {&onFirst, &onSecond})
-            std::move(check->rows.begin(), check->rows.end(), std::back_inserter(report.rows));
-    } catch (const CapabilityError& missing) {
-        report.unchecked = missing.what();
-    }
+    SampleCheck onFirst = checkPaths(scene, settings, a, first, second);
+    SampleCheck onSecond = checkPaths(scene, settings, b, second, first);
+    report.means = {meanOf(onFirst, onFirst, onSecond), meanOf(onSecond, onFirst, onSecond)};
+    for (SampleCheck* check : {&onFirst, &onSecond})
+        std::move(check->rows.begin(), check->rows.end(), std::back_inserter(report.rows));
     return report;
 }
 

@@ -4,7 +4,6 @@
 #include "core/frame/backend.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -17,7 +16,6 @@ struct CheckReport {
     /// Mean radiance of the sample as each backend renders it on its own, over the pixels in which
     /// both see the same surface first.
     std::array<glm::dvec3, 2> means{};
-    std::string unchecked; ///< why the passes of a sample could not be run; empty: they were
 
     /// Whether nothing differs that must not, and the means are kMeanTolerance apart at most.
     bool passed() const;

@@ -106,7 +106,9 @@ TEST(Check, ShowsADifferenceAndHowToSeeItAgain) {
                            "--traversal linear --eye 0,0,0 "),
               run.err.npos)
         << run.err;
-    EXPECT_NE(run.err.find(" --primary raster --fetch direct --bounces 1 --seed 5\n"), run.err.npos)
+    EXPECT_NE(run.err.find(" --primary raster --fetch direct --ray-type default --bounces 1 "
+                           "--seed 5\n"),
+              run.err.npos)
         << run.err;
     EXPECT_EQ(run.out.find("\n0 wrong list entries"), run.out.npos) << run.out;
 }

@@ -1,11 +1,11 @@
-// Whether dirt check notices a fault of any pass of the OpenGL backend: edited shaders, one fault
-// each.
+// Whether dirt check notices a fault of the passes of construction in GLSL: edited shaders, one
+// fault each.
 
 #include "backend_cpu/cpu_backend.h"
 #include "backend_gl/gl_backend.h"
 #include "core/check/check.h"
+#include "tests/gl/edited_shaders.h"
 #include "tests/support/small_scenes.h"
-#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -14,25 +14,6 @@
 
 namespace dirt::test {
 namespace {
-
-/// Edited copies of the shaders.
-class EditedShaders {
-public:
-    EditedShaders() {
-        for (const std::string& file : ShaderFiles::builtIn())
-            folder_.write(file, ShaderFiles().read(file));
-    }
-    void replace(const std::string& file, const std::string& from, const std::string& to) const {
-        std::string source = ShaderFiles().read(file);
-        const size_t at = source.find(from);
-        ASSERT_NE(at, source.npos) << "'" << from << "' is no longer in " << file;
-        folder_.write(file, source.replace(at, from.size(), to));
-    }
-    ShaderFiles files() const { return ShaderFiles(folder_.path()); }
-
-private:
-    TemporaryFolder folder_;
-};
 
 /// A mesh that needs every part of every pass: large and small triangles, degenerate ones, ones on
 /// the borders of tiles, and one around the eye.
