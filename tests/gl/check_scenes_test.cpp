@@ -19,10 +19,10 @@ namespace {
 
 const std::vector<int> kTiles{1, 4, 16, 64}, kBins{1, 16, 44};
 
-/// 512x512, 1024x512 and 333x217; in the suite an eighth of that.
+/// 512x512, 1024x512 and 333x217; in the suite a sixteenth of that, as a software driver is slow.
 std::pair<int, int> sizeOf(int index) {
     const std::pair<int, int> full[] = {{512, 512}, {1024, 512}, {333, 217}};
-    const std::pair<int, int> cut[] = {{64, 64}, {128, 64}, {41, 27}};
+    const std::pair<int, int> cut[] = {{32, 32}, {48, 24}, {21, 13}};
     return fullTests() ? full[index] : cut[index];
 }
 
@@ -133,11 +133,12 @@ TEST_F(CheckScenes, Cornell) {
     generateScene("cornell", 36, folder.path());
     const Scene scene = loadScene(folder / "cornell.scene", {}).scene;
     const auto choices = fullTests() ? fullProduct({4, 3, 3, 2}) : pairwiseCovering({4, 3, 3, 2});
-    for (const Choice& choice : choices) expectEqual(scene, structureOf(choice));
+    for (size_t i = 0; i < choices.size(); i += fullTests() ? 1 : 4)
+        expectEqual(scene, structureOf(choices[i]));
 }
 
 TEST_F(CheckScenes, Atrium) {
-    expectEqualOverSettings("atrium", ViewMode::full, 2);
+    expectEqualOverSettings("atrium", ViewMode::full, 1);
 }
 TEST_F(CheckScenes, Sponza) {
     expectEqualOverSettings("sponza", ViewMode::single, 1);
