@@ -140,10 +140,13 @@ TEST_F(CheckScenes, Cornell) {
 TEST_F(CheckScenes, Atrium) {
     expectEqualOverSettings("atrium", ViewMode::full, 1);
 }
+// A software driver takes a minute and more for a sample of these.
 TEST_F(CheckScenes, Sponza) {
+    if (!fullTests()) GTEST_SKIP() << "long form only";
     expectEqualOverSettings("sponza", ViewMode::single, 1);
 }
 TEST_F(CheckScenes, Conference) {
+    if (!fullTests()) GTEST_SKIP() << "long form only";
     expectEqualOverSettings("conference", ViewMode::single, 1);
 }
 
