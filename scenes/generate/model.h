@@ -27,6 +27,8 @@ struct MaterialRecipe {
     double repeat = 1; ///< metres that one repeat of the texture covers
     TextureRecipe texture = {};
     TextureRecipe bump = {}; ///< height, as a grey
+    double bumpHeight = 4;   ///< of white over black, in texels
+    TextureRecipe glow = {}; ///< multiplies the emission
 };
 
 /// A scene's geometry and materials, before it is written.

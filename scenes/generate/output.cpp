@@ -108,6 +108,10 @@ std::string textureName(const std::string& name, const MaterialRecipe& material)
     return name + "_" + material.name + ".png";
 }
 
+std::string glowName(const std::string& name, const MaterialRecipe& material) {
+    return name + "_" + material.name + "_glow.png";
+}
+
 std::string bumpName(const std::string& name, const MaterialRecipe& material) {
     return name + "_" + material.name + "_bump.png";
 }
@@ -129,7 +133,11 @@ void writeMtl(const Model& model, const std::string& name, const fs::path& path)
         out.number(material.metallic) << "\n";
         colour("Ke", material.emission);
         if (material.texture.paint) out << "map_Kd " << textureName(name, material) << "\n";
-        if (material.bump.paint) out << "map_bump " << bumpName(name, material) << "\n";
+        if (material.bump.paint) {
+            out << "map_bump -bm ";
+            out.number(material.bumpHeight) << " " << bumpName(name, material) << "\n";
+        }
+        if (material.glow.paint) out << "map_Ke " << glowName(name, material) << "\n";
         out << "\n";
     }
     out.close();
@@ -175,6 +183,7 @@ std::vector<fs::path> writeModel(const Model& model, const std::string& name,
     for (const MaterialRecipe& material : model.materials) {
         paint(material.texture, textureName(name, material));
         paint(material.bump, bumpName(name, material));
+        paint(material.glow, glowName(name, material));
     }
     for (auto& painter : painters) {
         painter.get();

@@ -58,7 +58,7 @@ double breakHeight(Vec2 p, double radius, std::uint32_t seed) {
 
 void addDrum(Mesh& mesh, int material, const Shaft& shaft, double low, double high, bool brokenTop,
              bool brokenBase) {
-    const int columns = flutes * (mesh.detail().shows(0.15) ? mesh.detail().steps(7, 4) : 1);
+    const int columns = flutes * mesh.detail().steps(10);
     const int rows = mesh.detail().steps(10, 2);
     const double spin = hashRange(-0.02, 0.02, shaft.seed, 21);
     const Vec3 slip(hashRange(-0.012, 0.012, shaft.seed, 22), 0,

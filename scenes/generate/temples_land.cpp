@@ -9,6 +9,7 @@
 #include "scenes/generate/implicit.h"
 #include "scenes/generate/noise.h"
 #include "scenes/generate/temples_materials.h"
+#include "scenes/generate/temples_sky.h"
 
 namespace dirt::generate {
 namespace {
@@ -144,18 +145,7 @@ void addFarView(Mesh& mesh) {
                           p + Vec3(0, relief - (headland.y - seaLevel + 8) * fall, 0), {u, v}};
                   },
                   {.wrapU = true});
-    constexpr double dome = 1000;
-    for (int k = 0; k < skyBands; ++k) {
-        const double low = skyElevation(k) * turn / 360;
-        const double high = skyElevation(k + 1) * turn / 360;
-        mesh.addPatch(Sky + k, 48, 1, [&](double u, double v) {
-            const double angle = turn * (u < 1 ? u : 0);
-            const double e = low + (high - low) * v;
-            const double r = dome * std::cos(e);
-            return SurfacePoint{{r * std::cos(angle), dome * std::sin(e), r * std::sin(angle)},
-                                {u, v}};
-        });
-    }
+    addSky(mesh, Sky, 1000);
 }
 
 Mesh makeRock(const Detail& detail, std::uint32_t kind) {

@@ -2,38 +2,13 @@
 
 #include <cmath>
 
-#include <glm/common.hpp>
-
-#include "scenes/generate/loft.h"
 #include "scenes/generate/paint.h"
+#include "scenes/generate/temples_sky.h"
 
 namespace dirt::generate {
 
-namespace temples {
-
-double skyElevation(int band) {
-    // Fine where pictures look, coarse towards the zenith.
-    const double s = static_cast<double>(band) / skyBands;
-    return -3 + 33 * s + 60 * std::pow(s, 4.0);
-}
-
-} // namespace temples
-
-namespace {
-
-using namespace temples;
-
-/// Radiance of the sky at an elevation in degrees.
-glm::dvec3 skyRadiance(double elevation) {
-    static const Keys red{{-3, 1.55}, {0, 1.50}, {5, 1.22}, {12, 0.86}, {30, 0.50}, {90, 0.30}};
-    static const Keys green{{-3, 1.38}, {0, 1.38}, {5, 1.30}, {12, 1.10}, {30, 0.80}, {90, 0.52}};
-    static const Keys blue{{-3, 1.20}, {0, 1.24}, {5, 1.38}, {12, 1.46}, {30, 1.36}, {90, 1.05}};
-    return {red(elevation), green(elevation), blue(elevation)};
-}
-
-} // namespace
-
 std::vector<MaterialRecipe> templesMaterials() {
+    using namespace temples;
     const auto matt = [](std::string name, double repeat, TextureRecipe texture) {
         return MaterialRecipe{.name = std::move(name),
                               .reflectivity = 0.02,
@@ -69,12 +44,7 @@ std::vector<MaterialRecipe> templesMaterials() {
         const double share = 0.10 + 0.65 * std::pow(k / (seaBands - 1.0), 1.3);
         all.push_back(hazy("sea_" + std::to_string(k), {0.05, 0.16, 0.22}, share, 112));
     }
-    for (int k = 0; k < skyBands; ++k) {
-        const double elevation = 0.5 * (skyElevation(k) + skyElevation(k + 1));
-        all.push_back({.name = "sky_" + std::to_string(k),
-                       .diffuse = glm::dvec3(0),
-                       .emission = skyRadiance(elevation)});
-    }
+    all.push_back(skyMaterial());
     return all;
 }
 

@@ -10,9 +10,8 @@ namespace temples {
 
 constexpr int ridgeCount = 4;
 constexpr int seaBands = 8;
-constexpr int skyBands = 48;
 
-/// The temples' materials, in the order of their table. Haze and sky are bands of plain emission.
+/// The temples' materials, in the order of their table. Haze is emission.
 enum Material : int {
     Ground,
     Rock,
@@ -25,11 +24,8 @@ enum Material : int {
     Ridge,
     Sea = Ridge + ridgeCount,
     Sky = Sea + seaBands,
-    materialCount = Sky + skyBands
+    materialCount
 };
-
-/// Where a band of the sky ends, as an elevation in degrees.
-double skyElevation(int band);
 
 } // namespace temples
 
