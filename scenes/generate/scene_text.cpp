@@ -118,8 +118,8 @@ constexpr std::string_view bunnyDay = R"(<?xml version="1.0" encoding="utf-8"?>
 
     <camera name="first_person" aperture="33"/>
 
-    <light name="sun" type="spotlight" active="true" flux="1200" color="1 0.86 0.64"
-        position="-7.33 5.34 -4.53" target="0.14 0.2 0.33" conical="true" aperture="34"
+    <light name="sun" type="spotlight" active="true" flux="2000" color="1 0.86 0.64"
+        position="-7.33 5.34 -4.21" target="0.14 0.2 0.33" conical="true" aperture="34"
         penumbra="32" spotlight_exponent="1.0"/>
 
     <transformation name="environment" rotation="0,0,1,0" scale="1 1 1" translation="0,0,0">
