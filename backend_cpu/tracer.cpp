@@ -2,6 +2,7 @@
 
 #include "core/grid/denormals.h"
 #include "core/trace/intersect.h"
+#include "core/trace/plain_intersect.h"
 
 #include <array>
 #include <cfloat>
@@ -21,6 +22,13 @@ namespace dirt::HWY_NAMESPACE {
 /// What is beyond t when all that lies before it has been seen (core's traverse.cpp).
 inline double beyond(float t) {
     return (double) t * (1.0 + 2.0 * kRelativeErrorT) + (double) FLT_MIN;
+}
+
+/// The decision that the settings ask for.
+inline bool decide(const LeafTracer& tracer, const Ray& ray, const Triangle& triangle,
+                   TriangleHit& hit) {
+    return tracer.grid.settings.precision == Precision::exact ? intersect(ray, triangle, hit)
+                                                              : plainIntersect(ray, triangle, hit);
 }
 
 /// Asked before the exact decision, which takes longest where a ray starts: on its own triangle.
@@ -137,7 +145,7 @@ public:
             if (skips(tracer_.geometry, ray_, id, triangle)) return;
             ++counts.exact;
             TriangleHit hit;
-            if (!intersect(ray_, triangle, hit)) return;
+            if (!decide(tracer_, ray_, triangle, hit)) return;
             const bool nearer =
                 !best.found() || hit.t < best.t || (hit.t == best.t && id < best.primitive);
             if (!nearer || !seen_.holds(hit.t) || !tracer_.geometry.holds(id, hit.u, hit.v)) return;
@@ -177,7 +185,7 @@ public:
         if (found || skips(tracer_.geometry, ray_, id, triangle)) return;
         ++counts.exact;
         TriangleHit hit;
-        if (intersect(ray_, triangle, hit) && hit.t < maxT_ && seen_.holds(hit.t) &&
+        if (decide(tracer_, ray_, triangle, hit) && hit.t < maxT_ && seen_.holds(hit.t) &&
             tracer_.geometry.holds(id, hit.u, hit.v)) {
             found = true;
             limit = -1.0; // ends everything

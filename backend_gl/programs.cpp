@@ -75,12 +75,14 @@ ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segment
             {}};
 }
 
-ProgramSource traceSource(Search search, int segments, int segmentBits,
+ProgramSource traceSource(Search search, Precision precision, int segments, int segmentBits,
                           const SurfaceVariant* cutOuts) {
-    std::vector<std::string> defines = {
-        define("DIRT_ANY_HIT", search == Search::any),
-        define("DIRT_PATHS", search == Search::paths), define("DIRT_SEGMENTS", segments),
-        define("DIRT_SEGMENT_BITS", segmentBits), define("DIRT_CUT_OUTS", cutOuts != nullptr)};
+    std::vector<std::string> defines = {define("DIRT_ANY_HIT", search == Search::any),
+                                        define("DIRT_PATHS", search == Search::paths),
+                                        define("DIRT_EXACT", precision == Precision::exact),
+                                        define("DIRT_SEGMENTS", segments),
+                                        define("DIRT_SEGMENT_BITS", segmentBits),
+                                        define("DIRT_CUT_OUTS", cutOuts != nullptr)};
     if (cutOuts)
         for (std::string& line : surfaceDefines(*cutOuts)) defines.push_back(std::move(line));
     return {search == Search::any ? "Visibility" : "Trace", {"trace.comp"}, std::move(defines), {}};

@@ -42,7 +42,7 @@ ProgramSource fillDepthSource(ViewMode mode, Proposal proposal);
 ProgramSource fillDepthMipmapSource();
 ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segments, int segmentBits);
 /// \p cutOuts: surfaces with holes; else null.
-ProgramSource traceSource(Search search, int segments, int segmentBits,
+ProgramSource traceSource(Search search, Precision precision, int segments, int segmentBits,
                           const SurfaceVariant* cutOuts = nullptr);
 ProgramSource clearPathsSource(bool rays, bool current);
 ProgramSource depthMaskSource();

@@ -24,10 +24,11 @@ void RayCaster::begin(const TracedStructure& structure, Search search) {
                                structure.ids.heads(), structure.views.atEyeTexture()};
     glBindTextures(2, 4, textures);
     structure.ids.bindNodes();
-    programs_.use(traceSource(search, structure.ids.segments(), structure.ids.segmentBits(),
+    const GridSettings& settings = structure.settings;
+    programs_.use(traceSource(search, settings.precision, structure.ids.segments(),
+                              structure.ids.segmentBits(),
                               structure.cutOuts ? &structure.cutOuts->variant() : nullptr));
     if (structure.cutOuts) structure.cutOuts->bind();
-    const GridSettings& settings = structure.settings;
     const int levels = structure.bounds.levels() - 1;
     glUniform1i(1, settings.traversal == Traversal::linear ? 0
                    : settings.maxMip < 0                   ? levels

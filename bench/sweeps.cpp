@@ -66,6 +66,10 @@ Sweeps makeSweeps(const RenderSettings& around) {
     builder.add("raster", [](RenderSettings& s) { s.primary = Primary::raster; });
     builder.add("traced", [](RenderSettings& s) { s.primary = Primary::traced; });
 
+    builder.begin("precision");
+    builder.add("exact", [](RenderSettings& s) { s.grid.precision = Precision::exact; });
+    builder.add("fast", [](RenderSettings& s) { s.grid.precision = Precision::fast; });
+
     builder.begin("view");
     builder.add("full", [](RenderSettings& s) { s.grid.mode = ViewMode::full; });
     builder.add("single", [](RenderSettings& s) { s.grid.mode = ViewMode::single; });

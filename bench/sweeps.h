@@ -21,8 +21,9 @@ struct Sweeps {
     std::vector<Sweep> sweeps;
 };
 
-/// Tile, bins, both together, view size, traversal, top level, fetch, primary rays, views and
-/// bounces, as `bench tradeoff` varies them. View sizes that are absurd for the image are left out.
+/// Tile, bins, both together, view size, traversal, top level, fetch, primary rays, precision,
+/// views and bounces, as `bench tradeoff` varies them. View sizes that are absurd for the image are
+/// left out.
 Sweeps makeSweeps(const RenderSettings& around);
 
 } // namespace dirt

@@ -8,6 +8,7 @@
 #include "include/view_cone.glsl"
 #include "include/view_walk.glsl"
 #include "include/bins.glsl"
+#include "include/plain_intersect.glsl"
 #include "include/nodes.glsl"
 #include "include/ray_record.glsl"
 #include "shared/layouts.h"
@@ -91,9 +92,13 @@ bool isSkipped(Ray ray, uint id, Triangle triangle) {
 bool test(inout Search search, uint id) {
     Triangle triangle = triangleOf(id);
     TriangleHit hit;
+#if DIRT_EXACT
     if (certainlyMisses(search.sieve, search.ray, triangle) ||
         !intersect(search.ray, triangle, hit))
         return false;
+#else
+    if (!plainIntersect(search.ray, triangle, hit)) return false;
+#endif
     if (search.best.primitive == id) return true;
     bool nearer = search.best.primitive == kNoPrimitive || hit.t < search.best.t ||
                   (hit.t == search.best.t && id < search.best.primitive);

@@ -15,6 +15,7 @@ Json reportOf(const Input& input, const Backend& backend, const Executor& execut
     report["views"] = grid.mode == ViewMode::full ? 6 : 1;
     report["tile"] = grid.tile;
     report["bins"] = grid.bins;
+    report["exact"] = grid.precision == Precision::exact;
     report["size"] = {grid.width, grid.height};
     report["spp"] = input.settings.samples;
     report["bounces"] = input.settings.bounces;

@@ -46,9 +46,9 @@ void addStructureOptions(CLI::App& command, CommonOptions& o) {
               "how material data is found: by rasterizing against the hits, or by primitive id "
               "(default: raster)",
               [&o](size_t i) { o.fetch = i == 0 ? Fetch::raster : Fetch::direct; });
-    addChoice(command, "--precision", {"exact", "fast"}, "of hits (default: exact)", [](size_t i) {
-        if (i == 1) throw CapabilityError("--precision fast: not built yet, only exact");
-    });
+    addChoice(command, "--precision", {"exact", "fast"},
+              "hits by exact signs, or by a plain float test that loses some (default: exact)",
+              [&o](size_t i) { o.precision = i == 0 ? Precision::exact : Precision::fast; });
 }
 
 void addImageOptions(CLI::App& command, CommonOptions& o) {
@@ -104,6 +104,7 @@ RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& o) {
     grid.bins = o.bins.value_or(grid.bins);
     grid.maxMip = o.maxMip.value_or(grid.maxMip);
     grid.traversal = o.traversal.value_or(grid.traversal);
+    grid.precision = o.precision.value_or(grid.precision);
     settings.primary = o.primary.value_or(settings.primary);
     settings.fetch = o.fetch.value_or(settings.fetch);
     settings.samples = o.samples.value_or(settings.samples);

@@ -34,6 +34,7 @@ struct CommonOptions {
     std::optional<int> bins;
     std::optional<int> maxMip;
     std::optional<Traversal> traversal;
+    std::optional<Precision> precision;
     std::optional<Primary> primary;
     std::optional<Fetch> fetch;
     std::optional<int> samples;

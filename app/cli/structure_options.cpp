@@ -27,6 +27,7 @@ std::string structureOptions(const Input& input) {
     options += option("--tile", grid.tile) + option("--bins", grid.bins);
     if (grid.maxMip >= 0) options += option("--max-mip", grid.maxMip);
     if (grid.traversal == Traversal::linear) options += " --traversal linear";
+    if (grid.precision == Precision::fast) options += " --precision fast";
     options += vectorOption("--eye", camera.eye) + vectorOption("--target", camera.target) +
                vectorOption("--up", camera.up);
     char fov[32];

@@ -14,9 +14,10 @@ struct Borders {
 };
 
 /// Border slopes of a view that spans [-rim, rim] with \p pixels pixels: double, rounded once.
-Borders makeBorders(int pixels, int tile, double rim) {
+/// \p guardBand: in tiles.
+Borders makeBorders(int pixels, int tile, double rim, double guardBand) {
     const int tiles = (pixels + tile - 1) / tile;
-    const double guard = kGuardBand * 2.0 * rim * tile / pixels;
+    const double guard = guardBand * 2.0 * rim * tile / pixels;
     // 2 p - pixels is exact, so that the borders are symmetric and the rim is exactly +-rim.
     const auto slope = [&](int i) {
         return rim * (2.0 * std::min((int64_t) i * tile, (int64_t) pixels) - pixels) / pixels;
@@ -30,7 +31,7 @@ Borders makeBorders(int pixels, int tile, double rim) {
     return borders;
 }
 
-View makeView(int width, int height, int tile, double rimX, double rimY) {
+View makeView(int width, int height, int tile, double rimX, double rimY, double guardBand) {
     View view;
     view.width = width;
     view.height = height;
@@ -40,8 +41,8 @@ View makeView(int width, int height, int tile, double rimX, double rimY) {
         throw InputError("a view of " + std::to_string(width) + "x" + std::to_string(height) +
                          " pixels has more than " + std::to_string(kMaxTiles) +
                          " tiles a side at tile " + std::to_string(tile) + "; take a larger tile");
-    Borders x = makeBorders(width, tile, rimX);
-    Borders y = makeBorders(height, tile, rimY);
+    Borders x = makeBorders(width, tile, rimX, guardBand);
+    Borders y = makeBorders(height, tile, rimY, guardBand);
     view.s = std::move(x.at);
     view.sLo = std::move(x.lo);
     view.sHi = std::move(x.hi);
@@ -54,14 +55,15 @@ View makeView(int width, int height, int tile, double rimX, double rimY) {
 } // namespace
 
 std::vector<View> makeViews(const GridSettings& settings, const Camera& camera) {
+    const double guardBand = settings.precision == Precision::exact ? kGuardBand : 0.0;
     if (settings.mode == ViewMode::single) {
         const double pi = 3.14159265358979323846;
         const double rimY = std::tan(camera.verticalFov * pi / 360.0);
         const double rimX = rimY * settings.width / settings.height;
-        return {makeView(settings.width, settings.height, settings.tile, rimX, rimY)};
+        return {makeView(settings.width, settings.height, settings.tile, rimX, rimY, guardBand)};
     }
     const int size = settings.viewSize > 0 ? settings.viewSize : settings.height;
-    std::vector<View> views(6, makeView(size, size, settings.tile, 1.0, 1.0));
+    std::vector<View> views(6, makeView(size, size, settings.tile, 1.0, 1.0, guardBand));
     for (int face = 0; face < 6; ++face) {
         View& view = views[face];
         view.axisW = face / 2;

@@ -27,7 +27,8 @@ struct View {
     int columns = 0, rows = 0; ///< tiles
     std::vector<float> s, t;   ///< border slopes: columns + 1, rows + 1, increasing
     std::vector<float> sLo,
-        sHi; ///< guard-banded borders of each column, kGuardBand of a tile wider
+        sHi; ///< guard-banded borders of each column, kGuardBand of a tile wider (Precision::fast:
+             ///< none)
     std::vector<float> tLo, tHi; ///< and of each row
 
     /// (x, y, w) of a point of the grid frame.

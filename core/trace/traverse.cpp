@@ -2,6 +2,7 @@
 
 #include "core/grid/denormals.h"
 #include "core/trace/intersect.h"
+#include "core/trace/plain_intersect.h"
 #include "core/trace/ray_filter.h"
 #include "core/trace/view_cone.h"
 #include "core/trace/view_walk.h"
@@ -113,6 +114,23 @@ bool passesEye(const Ray& ray) {
     return glm::cross(glm::dvec3(ray.origin), glm::dvec3(ray.direction)) == glm::dvec3(0.0);
 }
 
+/// The decision that the settings ask for.
+class Decision {
+public:
+    Decision(const Grid& grid, const Ray& ray)
+        : exact_(grid.settings.precision == Precision::exact), ray_(ray), filter_(ray) {}
+
+    bool hits(const Triangle& triangle, TriangleHit& hit) const {
+        if (!exact_) return plainIntersect(ray_, triangle, hit);
+        return !filter_.certainlyMisses(triangle) && intersect(ray_, triangle, hit);
+    }
+
+private:
+    bool exact_;
+    const Ray& ray_;
+    RayFilter filter_;
+};
+
 /// The ray without denormals, which backends may or may not flush.
 Ray flushedRay(Ray ray) {
     for (int i = 0; i < 3; ++i) {
@@ -129,7 +147,7 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
     Hit best;
     const Ray ray = flushedRay(given);
     if (!isTraceable(ray)) return best;
-    const RayFilter filter(ray);
+    const Decision decision(grid, ray);
     const ViewCone::Part seen = seenPart(grid, ray);
     TraversalCounts local;
     double limit = kInfinity;
@@ -139,7 +157,7 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
         ++local.tests;
         const Triangle& triangle = geometry.triangles[id];
         TriangleHit candidate;
-        if (filter.certainlyMisses(triangle) || !intersect(ray, triangle, candidate)) return false;
+        if (!decision.hits(triangle, candidate)) return false;
         if (best.primitive == id) return true;
         if (!isNearer(candidate, id, best) || !seen.holds(candidate.t) ||
             isSkipped(geometry, ray, id) || !geometry.holds(id, candidate.u, candidate.v))
@@ -183,7 +201,7 @@ bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given, f
             TraversalCounts* counts) {
     const Ray ray = flushedRay(given);
     if (!isTraceable(ray) || !(maxT > 0.0f)) return false;
-    const RayFilter filter(ray);
+    const Decision decision(grid, ray);
     const ViewCone::Part seen = seenPart(grid, ray);
     TraversalCounts local;
     double limit = upperBound(maxT);
@@ -193,9 +211,8 @@ bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given, f
         ++local.tests;
         const Triangle& triangle = geometry.triangles[id];
         TriangleHit candidate;
-        if (!filter.certainlyMisses(triangle) && intersect(ray, triangle, candidate) &&
-            candidate.t < maxT && seen.holds(candidate.t) && !isSkipped(geometry, ray, id) &&
-            geometry.holds(id, candidate.u, candidate.v)) {
+        if (decision.hits(triangle, candidate) && candidate.t < maxT && seen.holds(candidate.t) &&
+            !isSkipped(geometry, ray, id) && geometry.holds(id, candidate.u, candidate.v)) {
             found = true;
             limit = -1.0; // ends the walk
         }

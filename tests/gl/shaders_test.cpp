@@ -38,7 +38,7 @@ void addPathPasses(std::vector<ProgramSource>& all) {
         all.insert(all.end(), {firstPointsSource(surfaces), fetchAtEyeSource(surfaces),
                                directVisibilitySource(surfaces)});
         for (Search search : {Search::any, Search::paths})
-            all.push_back(traceSource(search, 13, 24, &surfaces));
+            all.push_back(traceSource(search, Precision::exact, 13, 24, &surfaces));
         for (bool raster : {false, true}) all.push_back(fetchSource(surfaces, raster));
         for (ViewMode mode : {ViewMode::full, ViewMode::single})
             all.push_back(rasterFetchSource(mode, surfaces));
@@ -51,7 +51,9 @@ std::vector<ProgramSource> allPrograms() {
                                       fillDepthMipmapSource(), selfTestRasterSource(),
                                       selfTestComputeSource()};
     for (Search search : {Search::nearest, Search::any, Search::paths})
-        for (int segments : {1, kMostSegments}) all.push_back(traceSource(search, segments, 24));
+        for (Precision precision : {Precision::exact, Precision::fast})
+            for (int segments : {1, kMostSegments})
+                all.push_back(traceSource(search, precision, segments, 24));
     addPathPasses(all);
     for (ViewMode mode : {ViewMode::full, ViewMode::single})
         for (Proposal proposal : {Proposal::rectangles, Proposal::triangles}) {

@@ -161,10 +161,10 @@ TEST_F(SceneXml, RefusesMalformedNumbers) {
 }
 
 TEST_F(SceneXml, ListsWhatHasNoEffectOnce) {
-    readWorld("<font size='1'/><font/><tracing dof='1' name='t'/>\n"
+    readWorld("<font size='1'/><font/><tracing odd='1' name='t'/>\n"
               "<transformation><light/></transformation><user input='i'>text</user>");
     EXPECT_EQ(report_.ignored(),
-              (std::vector<std::string>{"element <font> in <world>", "attribute dof of <tracing>",
+              (std::vector<std::string>{"element <font> in <world>", "attribute odd of <tracing>",
                                         "element <light> in <transformation>",
                                         "attribute input of <user>", "text in <user>"}));
 }
