@@ -128,7 +128,8 @@ std::vector<BufferSize> CpuBackend::memory() const {
                   {"id buffer heads", grid_.heads.size() * sizeof(uint32_t)},
                   {"id buffer", grid_.ids.size() * sizeof(uint32_t)},
                   {"leaf blocks", leaves_.bytes()},
-                  {"fragments", builder_.bytes() + lightGrid_.pieceBytes() + eyeBuffers_.bytes()}});
+                  // What the passes of a sample need for themselves is not counted on any backend.
+                  {"fragments", builder_.bytes() + lightGrid_.pieceBytes()}});
     if (!lightGrid_.empty()) sizes.push_back({"light grid", lightGrid_.bytes()});
     return sizes;
 }

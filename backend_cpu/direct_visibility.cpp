@@ -167,14 +167,6 @@ void forEachHit(const FrameContext& frame, Executor& executor, uint32_t sample, 
 
 } // namespace
 
-uint64_t EyeBuffers::bytes() const {
-    uint64_t bytes = items.capacity() * sizeof(EyeTriangle) + lists.bytes();
-    for (const Piece& piece : pieces)
-        bytes += piece.items.capacity() * sizeof(EyeTriangle) +
-                 piece.fragments.capacity() * sizeof(DepthFragment);
-    return bytes;
-}
-
 void rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
                                EyeBuffers& buffers, std::span<SurfacePoint> points) {
     forEachHit(frame, executor, sample, buffers,

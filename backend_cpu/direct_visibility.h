@@ -18,8 +18,6 @@ struct EyeBuffers {
     std::vector<Piece> pieces;
     std::vector<EyeTriangle> items;
     DepthLists lists; ///< of items, for each tile of the image
-
-    uint64_t bytes() const;
 };
 
 /// DirectVisibility: G[1] of every pixel, by rasterizing the triangle buffer from the eye, as
