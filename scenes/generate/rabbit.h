@@ -10,8 +10,8 @@ struct RabbitMaterials {
     int eye;
 };
 
-/// A sitting rabbit of glazed stoneware, 0.48 m high to the tips of its ears, on the origin, its
-/// body along x, looking towards +x and a little to +z.
+/// A rabbit of glazed stoneware on its haunches, 0.48 m high to the tips of its ears, on the
+/// origin, its body along x, looking towards +x and a little to +z.
 Mesh makeRabbit(const Detail& detail, RabbitMaterials materials);
 
 } // namespace dirt::generate
