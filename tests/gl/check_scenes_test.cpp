@@ -59,15 +59,6 @@ std::string text(const RenderSettings& settings) {
            std::to_string(settings.bounces);
 }
 
-/// Takes away what the OpenGL backend has not yet.
-void makePlain(Scene& scene) {
-    for (Material& material : scene.materials) {
-        material.opacity = 1.0f;
-        material.emissionMap = material.reflectanceMap = kNoTexture;
-        material.bumpMap = material.opacityMap = kNoTexture;
-    }
-}
-
 class CheckScenes : public testing::Test {
 protected:
     /// Everything equal, and of direct visibility only what is tolerated.
@@ -103,7 +94,6 @@ protected:
             light.penumbra = 60.0f;
             scene->lights = {light};
             scene->background = glm::vec3(0.5f);
-            makePlain(*scene);
             const auto choices = pairwiseCovering({4, 3, 3, 2, 2, 2, 2, 2});
             EXPECT_LE(choices.size(), 16u);
             for (const Choice& choice : choices) {
