@@ -1,6 +1,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
+#include "core/cost/footprint.h"
+#include "core/cost/forecast.h"
 #include "core/frame/memory_plan.h"
 #include "core/frame/precision.h"
 #include "core/frame/requirements.h"
@@ -11,6 +13,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -105,6 +108,16 @@ Json precisionJson(const PrecisionReach& reach) {
             {"frame_spacing", reach.frameSpacing},
             {"triangles_without_area", reach.withoutArea},
             {"triangles_flattened", reach.flattened}};
+}
+
+Json predictedJson(const Forecast& forecast, double listEntries) {
+    return {{"build_ms", forecast.buildMs},
+            {"sample_ms", forecast.sampleMs},
+            {"frame_ms", forecast.frameMs},
+            {"rays", std::llround(forecast.rays)},
+            {"shadow_rays", std::llround(forecast.shadowRays)},
+            {"memory", forecast.memory},
+            {"list_entries", std::llround(listEntries)}};
 }
 
 Json describe(const Input& input, const Backend& backend, const Executor& executor,
@@ -225,6 +238,22 @@ void printRequirements(const Json& info) {
     printRow("total", megabytes(total));
 }
 
+void printPredicted(const Json& predicted) {
+    const auto ms = [&](const char* key) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%10.2f ms", predicted[key].get<double>());
+        return std::string(text);
+    };
+    std::printf("predicted\n");
+    printRow("build", ms("build_ms"));
+    printRow("a sample", ms("sample_ms"));
+    printRow("the frame", ms("frame_ms"));
+    printRow("memory", megabytes(predicted["memory"]));
+    printRow("rays", countText(predicted["rays"]) + ", and " + countText(predicted["shadow_rays"]) +
+                         " to the light");
+    printRow("list entries", countText(predicted["list_entries"]));
+}
+
 void runInfo(const InfoOptions& options) {
     const auto executor = makeExecutor(options.common);
     CommonOptions common = options.common;
@@ -236,7 +265,10 @@ void runInfo(const InfoOptions& options) {
     backend->expectLight(light ? &scene.lights.front() : nullptr);
     const auto build = backend->build(scene.mesh, scene.camera, input.settings.grid);
 
-    const Json info = describe(input, *backend, *executor, build);
+    Json info = describe(input, *backend, *executor, build);
+    const Footprint footprint(scene.mesh, scene.camera, input.settings.grid, *executor);
+    info["predicted"] = predictedJson(forecastFrame(scene, input.settings, *backend),
+                                      footprint.listEntries(input.settings.grid));
     if (options.json) {
         std::printf("%s\n", info.dump(2).c_str());
         return;
@@ -244,6 +276,7 @@ void runInfo(const InfoOptions& options) {
     printScene(info);
     printStructure(info);
     printRequirements(info);
+    printPredicted(info["predicted"]);
 }
 
 void printDevices() {

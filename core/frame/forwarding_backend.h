@@ -14,6 +14,7 @@ public:
     std::string device() const override { return inner_.device(); }
     bool isIeee() const override { return inner_.isIeee(); }
 
+    void expectLight(const Spotlight* light) override { inner_.expectLight(light); }
     void clear(const Camera& camera, const GridSettings& settings) override {
         inner_.clear(camera, settings);
     }

@@ -82,6 +82,25 @@ TEST(Info, TheFileOverridesDefaultsAndOptionsOverrideTheFile) {
     EXPECT_EQ(options["camera"]["fov"], 30.0);
 }
 
+TEST(Info, PredictsWhatARenderThenNeeds) {
+    const TemporaryFolder folder;
+    const std::string scene = sceneWith(folder, "<tracing indirect_bounces=\"2\"/>");
+    const std::string stats = (folder.path() / "stats.json").string();
+    const json predicted =
+        info({scene, "--size", "128x64", "--tile", "4", "--spp", "2"})["predicted"];
+    ASSERT_EQ(dirt({"render", scene, "--size", "128x64", "--tile", "4", "--spp", "2", "-o",
+                    (folder.path() / "a.png").string(), "--stats", stats})
+                  .status,
+              0);
+    const json rendered = json::parse(readFile(stats));
+    EXPECT_EQ(predicted["memory"], rendered["memory"]["total"]);
+    EXPECT_NEAR(predicted["rays"].get<double>() / rendered["rays"].get<double>(), 1.0, 0.25);
+    EXPECT_NEAR(predicted["list_entries"].get<double>() / rendered["list_entries"].get<double>(),
+                1.0, 0.25);
+    EXPECT_EQ(predicted["frame_ms"].get<double>(),
+              predicted["build_ms"].get<double>() + 2 * predicted["sample_ms"].get<double>());
+}
+
 TEST(Info, MemoryIsTheSumOfItsBuffers) {
     const TemporaryFolder folder;
     const json memory = info({sceneWith(folder, "")})["memory"];
