@@ -1,20 +1,17 @@
 #version 450 core
 // Trace and Visibility: nearest hits of rays, or (DIRT_ANY_HIT 1) whether they hit anything. The
-// traversal of core/trace/traverse.cpp, as a sequence of small turns that can be interrupted: a
-// driver may stop a shader that runs for long, and llvmpipe (Mesa 22.3) silently leaves all loops
-// once a shader has gone round 65535 times in all. So a ray keeps its state between dispatches.
+// traversal of core/trace/traverse.cpp, in turns, so that it can be interrupted: a driver may stop a
+// shader that runs for long, and llvmpipe (Mesa 22.3) silently leaves all loops once a shader has
+// gone round 65535 times in all. So a ray keeps its state between dispatches.
+//
+// Rays that run side by side all wait for the one that does something else. So there is a loop for
+// each thing to do, cheap ones inside: walk to a tile; go through its lists to a triangle that the
+// float filter does not refuse; decide that one exactly, which is long and rare.
 
-#include "include/triangles.glsl"
-#include "include/view_cone.glsl"
+#include "include/search.glsl"
 #include "include/view_walk.glsl"
 #include "include/bins.glsl"
-#include "include/plain_intersect.glsl"
 #include "include/nodes.glsl"
-#include "include/ray_record.glsl"
-#include "shared/layouts.h"
-#if DIRT_CUT_OUTS
-#include "include/materials.glsl"
-#endif
 
 layout(local_size_x = 64) in;
 
@@ -55,74 +52,16 @@ layout(binding = 8) uniform usamplerBuffer mask; // of all pixels
 
 layout(location = 0) uniform uint count;
 layout(location = 1) uniform int topLevel;
-layout(location = 2) uniform bool single; // rays end at the border of the only view
 layout(location = 3) uniform int atEyeCount;
 layout(location = 4) uniform uint turns; // of one dispatch
 layout(location = 5) uniform uint probe; // any number above 1
 layout(location = 6) uniform bool masked; // paths: only those that the mask leaves alive
 layout(location = 7) uniform uint firstPixel; // paths: that of the first ray
 
-// What a turn does; a ray begins with the first.
-const int kBegin = 0, kEye = 1, kNextView = 2, kStep = 3, kLeave = 4, kList = 5, kDone = 6;
-
-/// What is known of the ray so far.
-struct Search {
-    Ray ray;
-    RayFilter sieve;
-    float seenBegin, seenEnd; // where something may be hit
-    float maxT;
-    double limit; // nothing that begins later matters
-    Hit best;
-    bool located; // best.view and best.tile hold best.t
-};
-
-/// No candidate whose computed t is at most t has an exact t above this.
-double upperBound(float t) {
-    precise double bound =
-        double(t) * (1.0LF + double(2.0 * kRelativeErrorT)) + double(kSmallestNormal);
-    return bound;
-}
-
-bool isSkipped(Ray ray, uint id, Triangle triangle) {
-    return ray.skip != kNoPrimitive &&
-           (id == ray.skip || sameVertices(triangle, triangleOf(ray.skip)));
-}
-
-/// Tests one triangle. True if it is the best hit, now or from before.
-bool test(inout Search search, uint id) {
-    Triangle triangle = triangleOf(id);
-    TriangleHit hit;
-#if DIRT_EXACT
-    if (certainlyMisses(search.sieve, search.ray, triangle) ||
-        !intersect(search.ray, triangle, hit))
-        return false;
-#else
-    if (!plainIntersect(search.ray, triangle, hit)) return false;
-#endif
-    if (search.best.primitive == id) return true;
-    bool nearer = search.best.primitive == kNoPrimitive || hit.t < search.best.t ||
-                  (hit.t == search.best.t && id < search.best.primitive);
-    if (!nearer || hit.t < search.seenBegin || hit.t > search.seenEnd ||
-        isSkipped(search.ray, id, triangle))
-        return false;
-#if DIRT_ANY_HIT
-    if (!(hit.t < search.maxT)) return false;
-#endif
-#if DIRT_CUT_OUTS
-    if (!isThere(id, hit.u, hit.v)) return false;
-#endif
-#if DIRT_ANY_HIT
-    search.limit = -1.0LF; // ends the walk
-#else
-    search.limit = upperBound(hit.t);
-#endif
-    search.best.primitive = id;
-    search.best.t = hit.t;
-    search.best.u = hit.u;
-    search.best.v = hit.v;
-    search.located = false;
-    return true;
-}
+// What a ray is about to do; it begins with the first. A search that is interrupted in a list opens
+// its tile again.
+const int kBegin = 0, kEye = 1, kNextView = 2, kStep = 3, kLeave = 4, kOpen = 5, kList = 6,
+          kDone = 7;
 
 /// The last bin that the ray enters before search.limit.
 int lastBin(Search search, BinMap map, int view, TileVisit visit, bool receding, int last) {
@@ -151,6 +90,7 @@ struct Walker {
     BinMap map;
     int bin, last;
     bool receding;
+    bool again; // the tile was open when the search was interrupted
 };
 
 void examineCell(inout Walker w) {
@@ -162,32 +102,102 @@ void examineCell(inout Walker w) {
     w.empty = double(bounds.y) < low || double(-bounds.x) > high; // bounds: (-near, far)
 }
 
-/// Offers the tile of the walk. True if it is to be visited.
-bool openTile(inout Walker w, Search search) {
-    if (!offerTile(w.walk, w.exit, w.visit)) return false;
+/// One cell of the walk: down, on to the next cell, or the tile to open.
+void step(inout Walker w, Search search) {
+    examineCell(w);
+    if (w.again) {
+        w.phase = kOpen;
+    } else if (w.phase == kStep) {
+        if (!(w.walk.begin <= search.limit)) {
+            w.phase = kNextView;
+        } else if (w.empty) {
+            w.phase = kLeave;
+        } else if (w.level > 0) {
+            --w.level;
+        } else {
+            w.phase = kOpen;
+        }
+    }
+    if (w.phase != kLeave) return;
+    w.phase = kNextView;
+    if (w.exit.order == 2 || !advance(w.walk, w.exit, w.level)) return;
+    int mask = (2 << w.level) - 1;
+    bool coarser = (w.exit.order >= 0 && (w.exit.border.x & mask) == 0) ||
+                   (w.exit.order <= 0 && (w.exit.border.y & mask) == 0);
+    if (coarser && w.level < topLevel) ++w.level;
+    w.phase = kStep;
+}
+
+bool hasBin(Walker w, int bin) {
+    return w.receding ? bin <= w.last : bin >= w.last;
+}
+
+/// Begins with the lists of the walk's tile, or goes on with them.
+void openTile(inout Walker w, Search search) {
+    bool again = w.again;
+    w.again = false;
+    w.phase = kLeave;
+    if (!offerTile(w.walk, w.exit, w.visit)) return;
     vec2 bounds = texelFetch(pyramid, ivec3(w.walk.tile, w.walk.view), 0).xy;
     w.map = binMap(vec2(-bounds.x, bounds.y), grid.bins);
     w.receding = toView(w.walk.view, search.ray.direction).z >= 0.0;
-    w.bin = binOf(w.map, w.receding ? w.visit.near : w.visit.far, grid.bins);
     w.last = binOf(w.map, w.receding ? w.visit.far : w.visit.near, grid.bins);
     w.last = lastBin(search, w.map, w.walk.view, w.visit, w.receding, w.last);
-    return true;
+    w.phase = kList;
+    if (again) return;
+    int first = binOf(w.map, w.receding ? w.visit.near : w.visit.far, grid.bins);
+    w.bin = w.receding ? first - 1 : first + 1; // the list before it has no more entries
+    w.at = kNoNode;
 }
 
-/// Tests one entry of the list, which the tile of the visit has.
-void testEntry(inout Walker w, inout Search search, uint id) {
+/// The next entry of the lists, if it may be hit.
+Candidate nextCandidate(inout Walker w, Search search) {
+    Candidate candidate = noCandidate();
+    if (w.phase == kEye) {
+        if (w.at < uint(atEyeCount))
+            candidate.id = texelFetch(atEye, int(w.at++)).x;
+        else
+            w.phase = kNextView;
+    } else {
+        if (w.at == kNoNode) {
+            w.bin += w.receding ? 1 : -1;
+            if (hasBin(w, w.bin))
+                w.at = headOf(w.walk.view, w.visit.tile, w.bin);
+            else
+                w.phase = kLeave;
+        }
+        if (w.at != kNoNode) {
+            uvec2 entry = readNode(w.at);
+            w.at = entry.x;
+            candidate.id = entry.y;
+        }
+    }
+    if (candidate.id != kNoPrimitive && !isWorthTesting(search, candidate))
+        candidate.id = kNoPrimitive;
+    return candidate;
+}
+
+/// Decides a candidate, which the tile of the visit, or the eye, has.
+void testCandidate(inout Walker w, inout Search search, Candidate candidate) {
     uint before = search.best.primitive;
-    if (!test(search, id)) return;
-    if (search.best.primitive != before)
-        w.last = lastBin(search, w.map, w.walk.view, w.visit, w.receding, w.last);
-    if (search.located) return;
-    search.best.view = uint(w.walk.view);
-    search.best.tile = uint(w.visit.tile.y * grid.columns + w.visit.tile.x);
-    precise double error =
-        double(search.best.t) * double(kRelativeErrorT) + double(kSmallestNormal);
-    precise double early = double(search.best.t) + error;
-    precise double late = double(search.best.t) - error;
-    search.located = w.visit.begin <= early && late <= w.visit.end;
+    if (!test(search, candidate)) return;
+    if (w.phase == kEye) {
+        search.best.view = uint(grid.views);
+        search.located = false;
+    } else {
+        if (search.best.primitive != before)
+            w.last = lastBin(search, w.map, w.walk.view, w.visit, w.receding, w.last);
+        if (!search.located) {
+            search.best.view = uint(w.walk.view);
+            search.best.tile = uint(w.visit.tile.y * grid.columns + w.visit.tile.x);
+            precise double error =
+                double(search.best.t) * double(kRelativeErrorT) + double(kSmallestNormal);
+            precise double early = double(search.best.t) + error;
+            precise double late = double(search.best.t) - error;
+            search.located = w.visit.begin <= early && late <= w.visit.end;
+        }
+    }
+    if (search.limit < 0.0LF) w.phase = kDone;
 }
 
 /// The next view in the order in which the ray enters them.
@@ -215,65 +225,29 @@ void nextView(inout Walker w, Search search) {
     w.phase = w.walk.tile.x >= 0 && w.walk.tile.y >= 0 ? kStep : kNextView;
 }
 
-/// One turn of ViewWalk::run and of what it visits.
-void turn(inout Walker w, inout Search search) {
-    if (w.phase == kList) {
-        if (w.at != kNoNode) {
-            uvec2 entry = readNode(w.at);
-            w.at = entry.x;
-            testEntry(w, search, entry.y);
-            if (search.limit < 0.0LF) w.phase = kDone;
-        } else {
-            w.bin += w.receding ? 1 : -1;
-            if (w.receding ? w.bin <= w.last : w.bin >= w.last) {
-                w.at = headOf(w.walk.view, w.visit.tile, w.bin);
-            } else {
-                w.phase = kLeave;
-            }
-        }
-    } else if (w.phase == kStep) {
-        examineCell(w);
-        if (!(w.walk.begin <= search.limit)) {
-            w.phase = kNextView;
-        } else if (!w.empty && w.level > 0) {
-            --w.level;
-        } else if (!w.empty && openTile(w, search)) {
-            bool any = w.receding ? w.bin <= w.last : w.bin >= w.last;
-            w.at = any ? headOf(w.walk.view, w.visit.tile, w.bin) : kNoNode;
-            w.phase = kList;
-        } else {
-            w.phase = kLeave;
-        }
-    } else if (w.phase == kLeave) {
-        if (w.exit.order == 2 || !advance(w.walk, w.exit, w.level)) {
-            w.phase = kNextView;
-        } else {
-            int mask = (2 << w.level) - 1;
-            bool coarser = (w.exit.order >= 0 && (w.exit.border.x & mask) == 0) ||
-                           (w.exit.order <= 0 && (w.exit.border.y & mask) == 0);
-            if (coarser && w.level < topLevel) ++w.level;
-            w.phase = kStep;
-        }
-    } else if (w.phase == kNextView) {
-        nextView(w, search);
-    } else if (w.phase == kEye) {
-        if (w.at < uint(atEyeCount)) {
-            if (test(search, texelFetch(atEye, int(w.at)).x)) search.best.view = uint(grid.views);
-            search.located = false;
-            ++w.at;
-            if (search.limit < 0.0LF) w.phase = kDone;
-        } else {
-            w.phase = kNextView;
-        }
-    }
+bool isWalking(Walker w) {
+    return w.phase == kStep || w.phase == kLeave;
 }
 
-/// Finite, and with a direction. Tests bits, as a compiler may reason that there is no NaN.
-bool isTraceable(Ray ray) {
-    uvec3 o = floatBitsToUint(ray.origin) & 0x7f800000u;
-    uvec3 d = floatBitsToUint(ray.direction) & 0x7f800000u;
-    return all(notEqual(o, uvec3(0x7f800000u))) && all(notEqual(d, uvec3(0x7f800000u))) &&
-           ray.direction != vec3(0.0);
+bool isListing(Walker w) {
+    return w.phase == kList || w.phase == kEye;
+}
+
+/// Goes on until the ray is through, or has had its turns.
+void run(inout Walker w, inout Search search) {
+    uint left = turns;
+    while (w.phase != kDone && left > 0u) {
+        --left;
+        if (w.phase == kNextView) nextView(w, search);
+        Candidate candidate = noCandidate();
+        while ((isWalking(w) || isListing(w)) && candidate.id == kNoPrimitive && left > 0u) {
+            for (; isWalking(w) && left > 0u; --left) step(w, search);
+            if (w.phase == kOpen) openTile(w, search);
+            for (; isListing(w) && candidate.id == kNoPrimitive && left > 0u; --left)
+                candidate = nextCandidate(w, search);
+        }
+        if (candidate.id != kNoPrimitive) testCandidate(w, search, candidate);
+    }
 }
 
 RayRecord rayOf(uint index) {
@@ -286,35 +260,10 @@ RayRecord rayOf(uint index) {
 #endif
 }
 
-Search makeSearch(RayRecord given) {
-    Search search;
-    search.best = Hit(kNoPrimitive, 0.0, 0.0, 0.0, 0u, 0u, 0u);
-    for (int i = 0; i < 3; ++i) {
-        search.ray.origin[i] = flushed(given.origin[i]);
-        search.ray.direction[i] = flushed(given.direction[i]);
-    }
-    search.ray.skip = given.skip;
-    search.maxT = given.maxT;
-    search.sieve = makeFilter(search.ray);
-    search.located = false;
-    search.seenBegin = 0.0;
-    search.seenEnd = kLargest;
-    if (single) {
-        vec2 part = partInView(search.ray);
-        search.seenBegin = part.x;
-        search.seenEnd = part.y;
-    }
-#if DIRT_ANY_HIT
-    search.limit = upperBound(given.maxT);
-#else
-    search.limit = infinity();
-#endif
-    return search;
-}
-
 /// Where a ray begins.
 Walker firstTurn(Search search) {
     Walker w;
+    w.again = false;
     w.at = 0u;
     w.pendingViews = (1u << grid.views) - 1u;
     bool throughEye =
@@ -339,6 +288,7 @@ Walker resumed(State state, inout Search search, Hit best) {
     w.pendingViews = state.pendingViews;
     w.level = state.level;
     w.at = state.at;
+    w.again = w.phase == kList;
     if (w.phase < kStep || w.phase == kDone) return w;
     ViewSpan span;
     w.walk.ray = makeViewRay(state.view, search.ray);
@@ -349,9 +299,8 @@ Walker resumed(State state, inout Search search, Hit best) {
     w.walk.begin = packDouble2x32(state.begin);
     w.walk.end = span.end;
     w.walk.depth = packDouble2x32(state.depth);
-    examineCell(w);
-    if (w.phase == kList) openTile(w, search);
     w.bin = state.bin;
+    if (w.again) w.phase = kStep;
     return w;
 }
 
@@ -367,7 +316,7 @@ void main() {
         w = firstTurn(search);
     else
         w = resumed(state, search, hits[index]);
-    for (uint i = 0u; i < turns && w.phase != kDone; ++i) turn(w, search);
+    run(w, search);
 
     uint rounds = 0u; // whether loops still go round as often as they say
     while (rounds < probe) ++rounds;

@@ -13,10 +13,11 @@ struct ViewTriangle {
     double determinant; // a . (b × c), exact sign; zero: edge-on
 };
 
-/// The triangle's directions clipped at w >= 0, scaled.
+/// The triangle's directions clipped at w >= 0, scaled: of the three vertices, and of where the
+/// three edges cross w = 0. In place of those that do not exist stands another; so all indices are
+/// constants, as places in memory cost more than directions.
 struct Directions {
-    vec3 at[4];
-    int count;
+    vec3 at[6];
 };
 
 /// a × b; each component is the exact difference of two products, rounded once.
@@ -45,25 +46,22 @@ double orientation(ViewTriangle triangle) {
     return tripleProductExact(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]);
 }
 
-void addDirection(inout Directions directions, dvec3 direction) {
-    if (direction == dvec3(0.0LF)) return; // the eye itself is no direction
-    directions.at[directions.count++] = scaledToUnit(direction);
-}
-
 /// False if no direction has w > 0.
 bool clipDirections(vec3 vertices[3], out Directions directions) {
-    directions.count = 0;
     bool inFront = false;
+    vec3 any = vec3(0.0);
     for (int i = 0; i < 3; ++i) {
         vec3 a = vertices[i], b = vertices[(i + 1) % 3];
         inFront = inFront || a.z > 0.0;
-        if (a.z >= 0.0) addDirection(directions, dvec3(a));
-        if ((a.z < 0.0 && b.z > 0.0) || (a.z > 0.0 && b.z < 0.0)) {
-            double wa = double(abs(a.z)), wb = double(abs(b.z));
-            precise dvec2 crossing = dvec2(a.xy) * wb + dvec2(b.xy) * wa;
-            addDirection(directions, dvec3(crossing, 0.0LF));
-        }
+        directions.at[i] = a.z >= 0.0 ? scaledToUnit(dvec3(a)) : vec3(0.0);
+        bool crosses = (a.z < 0.0 && b.z > 0.0) || (a.z > 0.0 && b.z < 0.0);
+        double wa = double(abs(a.z)), wb = double(abs(b.z));
+        precise dvec2 crossing = dvec2(a.xy) * wb + dvec2(b.xy) * wa;
+        directions.at[3 + i] = crosses ? scaledToUnit(dvec3(crossing, 0.0LF)) : vec3(0.0);
+        if (a.z > 0.0) any = directions.at[i];
     }
+    for (int i = 0; i < 6; ++i) // the eye itself is no direction either
+        if (directions.at[i] == vec3(0.0)) directions.at[i] = any;
     return inFront;
 }
 
@@ -82,37 +80,37 @@ bool setUpTriangle(vec3 vertices[3], out ViewTriangle triangle, out Directions d
 /// Whether all directions lie strictly beyond a border of the given axis: on its small side (side
 /// = -1) or on its large side (+1).
 bool allBeyond(Directions directions, int axis, float slope, float side) {
-    for (int i = 0; i < directions.count; ++i) {
+    bool all = true;
+    for (int i = 0; i < 6; ++i) {
         vec3 d = directions.at[i];
         precise float border = slope * d.z;
         precise float distance = d[axis] - flushed(border);
-        if (side * flushed(distance) <= 0.0) return false;
+        all = all && side * flushed(distance) > 0.0;
     }
-    return true;
+    return all;
 }
 
-/// First and last cell of an axis that the side planes do not separate: by bisection, as the
-/// predicates are monotone. \p offset is where the axis begins in the borders.
+bool beyondBorder(Directions directions, int axis, int offset, int cell, float side) {
+    vec2 border = texelFetch(borders, offset + cell).xy;
+    return allBeyond(directions, axis, side > 0.0 ? border.y : border.x, side);
+}
+
+/// First and last cell of an axis that the side planes do not separate: from a guess onwards, as
+/// the predicates are monotone. \p offset is where the axis begins in the borders.
 ivec2 cellRange(Directions directions, int axis, int offset, int cells) {
-    int first = 0, end = cells;
-    while (first < end) {
-        int middle = (first + end) / 2;
-        if (allBeyond(directions, axis, texelFetch(borders, offset + middle).y, 1.0))
-            first = middle + 1;
-        else
-            end = middle;
+    vec2 span = vec2(kLargest, -kLargest);
+    for (int i = 0; i < 6; ++i) {
+        float slope = directions.at[i][axis] / max(directions.at[i].z, 1.0e-30);
+        span = vec2(min(span.x, slope), max(span.y, slope));
     }
-    int low = first;
-    first = 0;
-    end = cells;
-    while (first < end) {
-        int middle = (first + end) / 2;
-        if (allBeyond(directions, axis, texelFetch(borders, offset + middle).x, -1.0))
-            end = middle;
-        else
-            first = middle + 1;
-    }
-    return ivec2(low, first - 1);
+    span = span * grid.tilesOfSlope[axis] + grid.tilesOfSlope[axis + 2];
+    ivec2 range = ivec2(clamp(span, vec2(0.0), vec2(cells - 1)));
+    while (range.x > 0 && !beyondBorder(directions, axis, offset, range.x - 1, 1.0)) --range.x;
+    while (range.x < cells && beyondBorder(directions, axis, offset, range.x, 1.0)) ++range.x;
+    while (range.y < cells - 1 && !beyondBorder(directions, axis, offset, range.y + 1, -1.0))
+        ++range.y;
+    while (range.y >= 0 && beyondBorder(directions, axis, offset, range.y, -1.0)) --range.y;
+    return range;
 }
 
 /// Whether an edge plane of the triangle separates it from the guard-banded tile. (A denormal

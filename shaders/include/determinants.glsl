@@ -50,32 +50,37 @@ double exactValue(TripleProducts sum) {
 }
 
 /// d . ((b - o) × (c - o))
-double edgeDeterminantExact(vec3 o, vec3 d, vec3 b, vec3 c) {
-    TripleProducts sum;
-    sum.count = 0;
+void addEdgeDeterminant(inout TripleProducts sum, vec3 o, vec3 d, vec3 b, vec3 c) {
     addTripleProduct(sum, d, b, c);
     addTripleProduct(sum, d, o, b);
     addTripleProduct(sum, d, c, o);
-    return exactValue(sum);
 }
 
 /// (p - a) . ((b - a) × (c - a))
-double planeDeterminantExact(vec3 p, vec3 a, vec3 b, vec3 c) {
-    TripleProducts sum;
-    sum.count = 0;
+void addPlaneDeterminant(inout TripleProducts sum, vec3 p, vec3 a, vec3 b, vec3 c) {
     addTripleProduct(sum, p, a, b);
     addTripleProduct(sum, p, b, c);
     addTripleProduct(sum, p, c, a);
     addTripleProduct(sum, -a, b, c);
-    return exactValue(sum);
 }
 
 /// d . ((b - a) × (c - a))
-double directionDeterminantExact(vec3 d, vec3 a, vec3 b, vec3 c) {
-    TripleProducts sum;
-    sum.count = 0;
+void addDirectionDeterminant(inout TripleProducts sum, vec3 d, vec3 a, vec3 b, vec3 c) {
     addTripleProduct(sum, d, a, b);
     addTripleProduct(sum, d, b, c);
     addTripleProduct(sum, d, c, a);
+}
+
+double planeDeterminantExact(vec3 p, vec3 a, vec3 b, vec3 c) {
+    TripleProducts sum;
+    sum.count = 0;
+    addPlaneDeterminant(sum, p, a, b, c);
+    return exactValue(sum);
+}
+
+double directionDeterminantExact(vec3 d, vec3 a, vec3 b, vec3 c) {
+    TripleProducts sum;
+    sum.count = 0;
+    addDirectionDeterminant(sum, d, a, b, c);
     return exactValue(sum);
 }

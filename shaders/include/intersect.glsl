@@ -90,9 +90,38 @@ bool certainlyMisses(RayFilter sieve, Ray ray, Triangle triangle) {
 
 // ------------------------------------------------------------------- the decision, in double
 
-/// Edge determinants with exact signs: weights of a, b and c. \p bound: of each one's error.
-dvec3 edgeWeights(Ray ray, vec3 corners[3], out double bound) {
+/// Determinants that double may leave in doubt: the edges' (weights of a, b and c), numerator and
+/// denominator of t.
+const int kNumerator = 3, kDenominator = 4;
+const uint kEdges = 7u;
+
+double determinantExact(int which, Ray ray, vec3 corners[3]) {
+    TripleProducts sum;
+    sum.count = 0;
+    if (which == kNumerator)
+        addPlaneDeterminant(sum, ray.origin, corners[0], corners[1], corners[2]);
+    else if (which == kDenominator)
+        addDirectionDeterminant(sum, ray.direction, corners[0], corners[1], corners[2]);
+    else
+        addEdgeDeterminant(sum, ray.origin, ray.direction, corners[(which + 1) % 3],
+                           corners[(which + 2) % 3]);
+    double value = exactValue(sum);
+    return which == kNumerator ? -value : value;
+}
+
+/// Whether the exact ray (t >= 0) meets the closed triangle. Does not look at ray.skip.
+/// As all lanes wait for the one that is in doubt, there is one place where they do.
+/// \p weights: the edge determinants, with exact signs, hit or not.
+bool intersect(Ray ray, Triangle triangle, out TriangleHit hit, out dvec3 weights) {
+    hit = TriangleHit(0.0, 0.0, 0.0);
+    weights = dvec3(0.0LF);
+    if (triangle.a == triangle.b || triangle.b == triangle.c || triangle.c == triangle.a)
+        return false;
+    vec3 corners[3] = vec3[3](triangle.a, triangle.b, triangle.c);
     dvec3 o = dvec3(ray.origin), d = dvec3(ray.direction);
+    double directionNorm = oneNorm(d);
+
+    // Edge determinants. bound: of each one's error.
     dvec3 to[3];
     double norms[3];
     for (int i = 0; i < 3; ++i) {
@@ -100,10 +129,9 @@ dvec3 edgeWeights(Ray ray, vec3 corners[3], out double bound) {
         to[i] = difference;
         norms[i] = maxNorm(difference);
     }
-    precise double scale = powerOfTwo(-49) * oneNorm(d);
-    dvec3 weights;
+    precise double scale = powerOfTwo(-49) * directionNorm;
     uint doubtful = 0u;
-    bound = 0.0LF;
+    double bound = 0.0LF;
     for (int i = 0; i < 3; ++i) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         weights[i] = dotProduct64(d, crossProduct(to[j], to[k]));
@@ -113,62 +141,58 @@ dvec3 edgeWeights(Ray ray, vec3 corners[3], out double bound) {
         bound = max(bound, area);
     }
     bound = scale * bound;
-    while (doubtful != 0u) { // outside of the loop above, as it is rare
-        int i = findLSB(doubtful);
-        doubtful &= doubtful - 1u;
-        weights[i] = edgeDeterminantExact(ray.origin, ray.direction, corners[(i + 1) % 3],
-                                          corners[(i + 2) % 3]);
-    }
-    return weights;
-}
 
-/// Numerator and denominator of t, each with a relative error below 2^-29 and the exact sign.
-dvec2 distanceFraction(Ray ray, vec3 corners[3]) {
-    dvec3 a = dvec3(corners[0]), d = dvec3(ray.direction);
-    precise dvec3 ab = dvec3(corners[1]) - a, ac = dvec3(corners[2]) - a;
-    precise dvec3 toA = a - dvec3(ray.origin);
+    // Numerator and denominator of t, each with a relative error below 2^-29.
+    precise dvec3 ab = dvec3(corners[1]) - dvec3(corners[0]);
+    precise dvec3 ac = dvec3(corners[2]) - dvec3(corners[0]);
+    precise dvec3 toA = dvec3(corners[0]) - o;
     dvec3 normal = crossProduct(ab, ac);
-    dvec2 fraction = dvec2(dotProduct64(normal, toA), dotProduct64(normal, d));
-    precise double norms = powerOfTwo(-20) * maxNorm(ab) * maxNorm(ac);
-    if (abs(fraction.x) <= norms * oneNorm(toA))
-        fraction.x = -planeDeterminantExact(ray.origin, corners[0], corners[1], corners[2]);
-    if (abs(fraction.y) <= norms * oneNorm(d))
-        fraction.y =
-            directionDeterminantExact(ray.direction, corners[0], corners[1], corners[2]);
-    return fraction;
-}
+    double numerator = dotProduct64(normal, toA), denominator = dotProduct64(normal, d);
+    precise double area = powerOfTwo(-20) * maxNorm(ab) * maxNorm(ac);
+    uint unsureT = (abs(numerator) <= area * oneNorm(toA) ? 1u << kNumerator : 0u) |
+                   (abs(denominator) <= area * directionNorm ? 1u << kDenominator : 0u);
 
-/// Whether the exact ray (t >= 0) meets the closed triangle. Does not look at ray.skip.
-bool intersect(Ray ray, Triangle triangle, out TriangleHit hit) {
-    hit = TriangleHit(0.0, 0.0, 0.0);
-    if (triangle.a == triangle.b || triangle.b == triangle.c || triangle.c == triangle.a)
-        return false;
-    vec3 corners[3] = vec3[3](triangle.a, triangle.b, triangle.c);
-    double bound;
-    dvec3 weights = edgeWeights(ray, corners, bound);
-    bool positive = weights.x > 0.0LF || weights.y > 0.0LF || weights.z > 0.0LF;
-    bool negative = weights.x < 0.0LF || weights.y < 0.0LF || weights.z < 0.0LF;
-    if (positive == negative) return false;
+    int known = 0; // 1: the signs of the edges' determinants agree, 2: t is not negative
+    do {
+        if (doubtful != 0u) {
+            int which = findLSB(doubtful);
+            doubtful &= doubtful - 1u;
+            double value = determinantExact(which, ray, corners);
+            if (which == kNumerator)
+                numerator = value;
+            else if (which == kDenominator)
+                denominator = value;
+            else
+                weights[which] = value;
+        }
+        if (doubtful == 0u && known == 0) {
+            bool positive = weights.x > 0.0LF || weights.y > 0.0LF || weights.z > 0.0LF;
+            bool negative = weights.x < 0.0LF || weights.y < 0.0LF || weights.z < 0.0LF;
+            if (positive == negative) return false;
+            doubtful = unsureT;
+            known = 1;
+        }
+        if (doubtful == 0u && known == 1) {
+            if (numerator != 0.0LF && (numerator < 0.0LF) != (denominator < 0.0LF)) return false;
+            precise double sum = weights.x + weights.y + weights.z;
+            if (abs(sum) < powerOfTwo(25) * bound) doubtful = kEdges;
+            known = 2;
+        }
+    } while (doubtful != 0u);
 
-    dvec2 fraction = distanceFraction(ray, corners);
-    if (fraction.x != 0.0LF && (fraction.x < 0.0LF) != (fraction.y < 0.0LF)) return false;
-    precise double quotient = fraction.x / fraction.y;
+    precise double quotient = numerator / denominator;
     double t = abs(quotient);
     hit.t = t < double(kSmallestNormal) ? 0.0 : float(min(t, double(kLargest)));
-
-    precise double sum = weights.x + weights.y + weights.z;
-    uint unsure = abs(sum) < powerOfTwo(25) * bound ? 7u : 0u;
-    while (unsure != 0u) {
-        int i = findLSB(unsure);
-        unsure &= unsure - 1u;
-        weights[i] = edgeDeterminantExact(ray.origin, ray.direction, corners[(i + 1) % 3],
-                                          corners[(i + 2) % 3]);
-    }
     precise double total = weights.x + weights.y + weights.z;
     precise dvec2 barycentric = weights.yz / total;
     hit.u = flushed(float(barycentric.x));
     hit.v = flushed(float(barycentric.y));
     return true;
+}
+
+bool intersect(Ray ray, Triangle triangle, out TriangleHit hit) {
+    dvec3 weights;
+    return intersect(ray, triangle, hit, weights);
 }
 
 /// Whether two triangles have exactly the same three vertices, in any order.

@@ -6,10 +6,8 @@
 /// pixel is up to 1/128 off, the point of the triangle beside it: outside the edges that it has
 /// passed the weights are zero. False where the triangle is edge-on.
 bool seenPoint(Ray ray, Triangle triangle, out TriangleHit hit) {
-    if (intersect(ray, triangle, hit)) return true;
-    vec3 corners[3] = vec3[3](triangle.a, triangle.b, triangle.c);
-    double bound;
-    dvec3 weights = edgeWeights(ray, corners, bound);
+    dvec3 weights;
+    if (intersect(ray, triangle, hit, weights)) return true;
     precise double sum = weights.x + weights.y + weights.z;
     if (sum < 0.0LF) weights = -weights;
     weights = max(weights, dvec3(0.0LF));

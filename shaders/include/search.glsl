@@ -1,0 +1,130 @@
+// What a ray of trace.comp searches for and has found so far: the nearest hit, or (DIRT_ANY_HIT 1)
+// any hit.
+
+#include "include/triangles.glsl"
+#include "include/view_cone.glsl"
+#include "include/plain_intersect.glsl"
+#include "include/ray_record.glsl"
+#include "shared/layouts.h"
+#if DIRT_CUT_OUTS
+#include "include/materials.glsl"
+#endif
+
+layout(location = 2) uniform bool single; // rays end at the border of the only view
+
+/// What is known of the ray so far.
+struct Search {
+    Ray ray;
+    RayFilter sieve;
+    float seenBegin, seenEnd; // where something may be hit
+    float maxT;
+    double limit; // nothing that begins later matters
+    Hit best;
+    bool located; // best.view and best.tile hold best.t
+};
+
+/// No candidate whose computed t is at most t has an exact t above this.
+double upperBound(float t) {
+    precise double bound =
+        double(t) * (1.0LF + double(2.0 * kRelativeErrorT)) + double(kSmallestNormal);
+    return bound;
+}
+
+/// Whether it has the vertices of the triangle to skip.
+bool isSkipped(Ray ray, Triangle triangle) {
+    return ray.skip != kNoPrimitive && sameVertices(triangle, triangleOf(ray.skip));
+}
+
+/// A triangle that may be hit, and has to be decided.
+struct Candidate {
+    uint id; // kNoPrimitive: none
+    Triangle triangle;
+#if !DIRT_EXACT
+    TriangleHit hit;
+#endif
+};
+
+Candidate noCandidate() {
+    Candidate none;
+    none.id = kNoPrimitive;
+    return none;
+}
+
+/// Whether to look at a triangle more closely. It has been hit before, or is not cheaply refused.
+bool isWorthTesting(Search search, inout Candidate candidate) {
+    if (candidate.id == search.best.primitive) return true;
+    if (candidate.id == search.ray.skip) return false;
+    candidate.triangle = triangleOf(candidate.id);
+#if DIRT_EXACT
+    return !certainlyMisses(search.sieve, search.ray, candidate.triangle);
+#else
+    return plainIntersect(search.ray, candidate.triangle, candidate.hit);
+#endif
+}
+
+/// Tests one triangle. True if it is the best hit, now or from before.
+bool test(inout Search search, Candidate candidate) {
+    if (candidate.id == search.best.primitive) return true;
+    TriangleHit hit;
+#if DIRT_EXACT
+    if (!intersect(search.ray, candidate.triangle, hit)) return false;
+#else
+    hit = candidate.hit;
+#endif
+    bool nearer = search.best.primitive == kNoPrimitive || hit.t < search.best.t ||
+                  (hit.t == search.best.t && candidate.id < search.best.primitive);
+    if (!nearer || hit.t < search.seenBegin || hit.t > search.seenEnd ||
+        isSkipped(search.ray, candidate.triangle))
+        return false;
+#if DIRT_ANY_HIT
+    if (!(hit.t < search.maxT)) return false;
+#endif
+#if DIRT_CUT_OUTS
+    if (!isThere(candidate.id, hit.u, hit.v)) return false;
+#endif
+#if DIRT_ANY_HIT
+    search.limit = -1.0LF; // ends the walk
+#else
+    search.limit = upperBound(hit.t);
+#endif
+    search.best.primitive = candidate.id;
+    search.best.t = hit.t;
+    search.best.u = hit.u;
+    search.best.v = hit.v;
+    search.located = false;
+    return true;
+}
+
+/// Finite, and with a direction. Tests bits, as a compiler may reason that there is no NaN.
+bool isTraceable(Ray ray) {
+    uvec3 o = floatBitsToUint(ray.origin) & 0x7f800000u;
+    uvec3 d = floatBitsToUint(ray.direction) & 0x7f800000u;
+    return all(notEqual(o, uvec3(0x7f800000u))) && all(notEqual(d, uvec3(0x7f800000u))) &&
+           ray.direction != vec3(0.0);
+}
+
+Search makeSearch(RayRecord given) {
+    Search search;
+    search.best = Hit(kNoPrimitive, 0.0, 0.0, 0.0, 0u, 0u, 0u);
+    for (int i = 0; i < 3; ++i) {
+        search.ray.origin[i] = flushed(given.origin[i]);
+        search.ray.direction[i] = flushed(given.direction[i]);
+    }
+    search.ray.skip = given.skip;
+    search.maxT = given.maxT;
+    search.sieve = makeFilter(search.ray);
+    search.located = false;
+    search.seenBegin = 0.0;
+    search.seenEnd = kLargest;
+    if (single) {
+        vec2 part = partInView(search.ray);
+        search.seenBegin = part.x;
+        search.seenEnd = part.y;
+    }
+#if DIRT_ANY_HIT
+    search.limit = upperBound(given.maxT);
+#else
+    search.limit = infinity();
+#endif
+    return search;
+}
