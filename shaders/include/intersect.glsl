@@ -97,13 +97,12 @@ const uint kEdges = 7u;
 
 double determinantExact(int which, Ray ray, vec3 corners[3]) {
     TripleProducts sum;
-    sum.count = 0;
     if (which == kNumerator)
-        addPlaneDeterminant(sum, ray.origin, corners[0], corners[1], corners[2]);
+        setPlaneDeterminant(sum, ray.origin, corners[0], corners[1], corners[2]);
     else if (which == kDenominator)
-        addDirectionDeterminant(sum, ray.direction, corners[0], corners[1], corners[2]);
+        setDirectionDeterminant(sum, ray.direction, corners[0], corners[1], corners[2]);
     else
-        addEdgeDeterminant(sum, ray.origin, ray.direction, corners[(which + 1) % 3],
+        setEdgeDeterminant(sum, ray.origin, ray.direction, corners[(which + 1) % 3],
                            corners[(which + 2) % 3]);
     double value = exactValue(sum);
     return which == kNumerator ? -value : value;
