@@ -32,7 +32,7 @@ private:
     Executor& executor_;
     RasterTables tables_;
     std::vector<RasterPiece> pieces_;
-    FragmentBuckets buckets_;
+    FragmentBuckets<Fragment> buckets_;
     std::vector<uint64_t> entries_; ///< before each bucket
 };
 

@@ -7,7 +7,8 @@
 #define DIRT_LIGHT_TEST_INL_H_
 #endif
 
-#include "backend_cpu/light_grid.h"
+#include "backend_cpu/light_raster.h"
+#include "backend_cpu/simd_mask-inl.h"
 #include "core/grid/denormals.h"
 #include "core/trace/ray.h"
 
@@ -29,6 +30,7 @@ struct LightRay {
     float distance; ///< largest |component|
     float depth;    ///< nothing listed beyond it is before the ray's origin
     uint32_t tile = kNoTile;
+    uint32_t place; ///< in the tile: the bytes that a box's may not exceed
 
     /// Leaves no tile where the ray does not end in the light, or starts where no list is made.
     HWY_INLINE void set(const LightGrid& grid, const Ray& ray, float maxT) {
@@ -45,18 +47,41 @@ struct LightRay {
         distance = size[axis];
         if (!ends || !(distance <= grid.reach && distance >= grid.nearest)) return;
         const LightFace& face = grid.faces[2 * axis + (p[axis] < 0.0f)];
-        const float half = 0.5f * (float) grid.tiles, r = 1.0f / distance;
-        const auto tileAlong = [&](int i) {
-            return std::min((int) ((p[i] * r + 1.0f) * half), grid.tiles - 1);
+        const float units = 0.5f * kUnits * (float) grid.tiles, r = 1.0f / distance;
+        const auto unitAlong = [&](int i) {
+            return std::min((int) ((p[i] * r + 1.0f) * units), kUnits * grid.tiles - 1);
         };
-        const uint32_t column = (uint32_t) (tileAlong(face.axisX) - face.column);
-        const uint32_t row = (uint32_t) (tileAlong(face.axisY) - face.row);
+        const int x = unitAlong(face.axisX), y = unitAlong(face.axisY);
+        const uint32_t column = (uint32_t) ((x >> kUnitShift) - face.column);
+        const uint32_t row = (uint32_t) ((y >> kUnitShift) - face.row);
         if (column >= (uint32_t) face.columns || row >= (uint32_t) face.rows) return;
         tile = face.firstTile + row * (uint32_t) face.columns + column;
+        const uint32_t inX = (uint32_t) x % kUnits, inY = (uint32_t) y % kUnits;
+        place = inX | (kUnits - 1 - inX) << 8 | inY << 16 | (kUnits - 1 - inY) << 24;
         // A point of the ray is at most (1 + 2^-24) as deep as its origin.
         depth = distance * (1.0f + 0x1p-20f);
     }
 };
+
+/// Those of 16 entries from \p begin on, which may be before the ray's origin where it is, as bits.
+HWY_INLINE uint32_t mayOcclude(const LightGrid& grid, size_t begin, const LightRay& ray) {
+    constexpr size_t kEntries = LightGrid::kPadding;
+    const hn::CappedTag<float, kEntries> d;
+    const hn::RebindToUnsigned<decltype(d)> du;
+    const auto depth = hn::Set(d, ray.depth);
+    // Bytes have seven bits: of a difference with the eighth set, that stays where none is
+    // exceeded.
+    const auto eighth = hn::Set(du, 0x80808080u);
+    const auto place = hn::Set(du, ray.place | 0x80808080u);
+    uint32_t bits = 0;
+    for (size_t i = 0; i < kEntries; i += hn::Lanes(d)) {
+        const auto near = hn::LoadU(d, grid.near.data() + begin + i);
+        const auto box = hn::LoadU(du, grid.box.data() + begin + i);
+        const auto inside = hn::Eq(hn::And(hn::Sub(place, box), eighth), eighth);
+        bits |= simdMaskBits(d, hn::And(hn::Le(near, depth), hn::RebindMask(d, inside))) << i;
+    }
+    return bits;
+}
 
 enum class LightTest { misses, mayHit, hits };
 

@@ -248,7 +248,7 @@ bool OccludedInLeaves(const LeafTracer& tracer, const Ray& ray, float maxT, Leaf
     return anyHit(tracer.grid, tracer.geometry, ray, maxT);
 }
 
-/// The ray from the light's point of view: one list, up to the depth of its origin.
+/// The ray from the light's point of view: one list.
 bool OccludedFromLight(const LeafTracer& tracer, const LightRay& seen, const Ray& ray, float maxT,
                        LeafCounts& counts) {
     const LightGrid& grid = *tracer.light;
@@ -256,19 +256,26 @@ bool OccludedFromLight(const LeafTracer& tracer, const LightRay& seen, const Ray
     ++counts.lookups;
     const auto& triangles = tracer.geometry.triangles;
     for (const uint32_t id : grid.close) query.test(id, triangles[id], counts);
-    for (const DepthEntry& entry : grid.lists.list(seen.tile)) {
-        if (!(entry.near <= seen.depth) || query.found) break;
-        ++counts.listed;
-        const LightRecord& record = grid.records[entry.item];
-        switch (testRecord(record, seen)) {
-        case LightTest::misses:
-            break;
-        case LightTest::mayHit:
-            query.test(record.id, triangles[record.id], counts);
-            break;
-        case LightTest::hits:
-            query.testCertain(record.id, counts);
-            break;
+    if (query.found) return true;
+    const uint32_t end = grid.heads[seen.tile + 1];
+    for (uint32_t first = grid.heads[seen.tile]; first < end; first += LightGrid::kPadding) {
+        uint32_t rest = mayOcclude(grid, first, seen);
+        if (end - first < LightGrid::kPadding) rest &= (1u << (end - first)) - 1;
+        for (; rest != 0; rest &= rest - 1) {
+            const uint32_t id = grid.id[first + hwy::Num0BitsBelowLS1Bit_Nonzero32(rest)];
+            if (id == ray.skip) continue;
+            ++counts.listed;
+            switch (testRecord(grid.records[id], seen)) {
+            case LightTest::misses:
+                continue;
+            case LightTest::mayHit:
+                query.test(id, triangles[id], counts);
+                break;
+            case LightTest::hits:
+                query.testCertain(id, counts);
+                break;
+            }
+            if (query.found) return true;
         }
     }
     return query.found;

@@ -1,0 +1,120 @@
+#include "backend_cpu/light_raster.h"
+
+#include <cfloat>
+
+#include <glm/geometric.hpp>
+
+// Compiles what follows once for each instruction set that Highway knows on this architecture.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "backend_cpu/light_raster.cpp"
+#include <hwy/foreach_target.h>
+
+#include "backend_cpu/light_setup-inl.h"
+
+#ifndef DIRT_LIGHT_RASTER_SCALAR
+#define DIRT_LIGHT_RASTER_SCALAR
+namespace dirt {
+namespace {
+
+double largest(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+double sum(const glm::dvec3& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+/// Whether the triangle may have a point with all |coordinates| below \p distance.
+bool mayBeWithin(const LightTriangle& t, double distance) {
+    for (int i = 0; i < 3; ++i) {
+        if (t.v[0][i] > distance && t.v[1][i] > distance && t.v[2][i] > distance) return false;
+        if (-t.v[0][i] > distance && -t.v[1][i] > distance && -t.v[2][i] > distance) return false;
+    }
+    // The plane's distance; what is added covers the errors stated with LightTriangle.
+    const double error = 0x1p-46 * t.length * t.length;
+    return std::abs(t.determinant) - error * t.size <= distance * (sum(t.normal) + error);
+}
+
+} // namespace
+} // namespace dirt
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace dirt::HWY_NAMESPACE {
+
+void ScanFromLight(const FrameGeometry& geometry, LightGrid& grid, size_t begin, size_t end,
+                   LightPiece& piece) {
+    const LightFaces faces(grid);
+    const uint32_t lanes = (uint32_t) hn::Lanes(LightTag());
+    for (size_t first = begin; first < end; first += lanes) {
+        const uint32_t count = (uint32_t) std::min<size_t>(lanes, end - first);
+        const LightLanes triangles(geometry.triangles.data(), first, count, grid.position);
+        LightRanges ranges;
+        triangles.findRanges(faces, grid, ranges);
+        uint32_t listed = 0;
+        for (uint32_t rest = (ranges.simple | ranges.other) & ((1u << count) - 1); rest != 0;
+             rest &= rest - 1) {
+            const uint32_t lane = (uint32_t) hwy::Num0BitsBelowLS1Bit_Nonzero32(rest);
+            const uint32_t id = (uint32_t) first + lane;
+            const size_t before = piece.fragments.size();
+            const auto emit = [&](uint32_t tile, float near, uint32_t box) {
+                piece.fragments.push_back({tile, id, near, box});
+            };
+            if ((ranges.simple >> lane & 1) != 0) {
+                const LightFace& face = grid.faces[(size_t) ranges.face[lane]];
+                const UnitBox box{ranges.x0[lane], ranges.x1[lane], ranges.y0[lane],
+                                  ranges.y1[lane]};
+                const LightRange range(box, face);
+                if (range.small())
+                    emitSmall(range, face, box, ranges.near[lane], emit);
+                else
+                    rasterFromLight(LightTriangle(geometry.triangles[id], grid.position), face,
+                                    grid.tiles, 0.5 * grid.nearest, emit);
+            } else {
+                const LightTriangle triangle(geometry.triangles[id], grid.position);
+                if (mayBeWithin(triangle, grid.nearest)) {
+                    piece.close.push_back(id);
+                    continue;
+                }
+                for (const LightFace& face : grid.faces)
+                    if (face.columns > 0)
+                        rasterFromLight(triangle, face, grid.tiles, 0.5 * grid.nearest, emit);
+            }
+            if (piece.fragments.size() > before) listed |= 1u << lane;
+        }
+        if (listed != 0) triangles.writeRecords(grid, listed, grid.records.data() + first);
+    }
+}
+
+} // namespace dirt::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dirt {
+
+HWY_EXPORT(ScanFromLight);
+
+LightTriangle::LightTriangle(const Triangle& t, const glm::vec3& light) {
+    const glm::dvec3 origin(light);
+    v[0] = glm::dvec3(t.a) - origin, v[1] = glm::dvec3(t.b) - origin;
+    v[2] = glm::dvec3(t.c) - origin;
+    edges[0] = glm::cross(v[1], v[2]);
+    edges[1] = glm::cross(v[2], v[0]);
+    edges[2] = glm::cross(v[0], v[1]);
+    const glm::dvec3 ab = glm::dvec3(t.b) - glm::dvec3(t.a);
+    const glm::dvec3 ac = glm::dvec3(t.c) - glm::dvec3(t.a);
+    normal = glm::cross(ab, ac);
+    determinant = glm::dot(v[0], normal);
+    length = std::max(largest(ab), largest(ac));
+    size = std::max({largest(v[0]), largest(v[1]), largest(v[2])});
+    edgeOn = !(std::abs(determinant) > (0x1p-46 * length * length + 0x1p-49 * sum(normal)) * size);
+}
+
+void scanFromLight(const FrameGeometry& geometry, LightGrid& grid, size_t begin, size_t end,
+                   LightPiece& piece) {
+    piece.fragments.clear();
+    piece.close.clear();
+    HWY_DYNAMIC_DISPATCH(ScanFromLight)(geometry, grid, begin, end, piece);
+}
+
+} // namespace dirt
+#endif // HWY_ONCE
