@@ -230,6 +230,12 @@ void GlBackend::beginFrame(const Scene& scene, const RenderSettings& settings,
     context_.check();
 }
 
+void GlBackend::shadowMap() {
+    context_.makeCurrent();
+    passes_.shadowMap(triangles_);
+    endPass();
+}
+
 void GlBackend::beginSample() {
     context_.makeCurrent();
     passes_.beginSample();
@@ -297,6 +303,19 @@ PathBuffers GlBackend::readPaths() const {
 void GlBackend::writePaths(const PathBuffers& paths) {
     context_.makeCurrent();
     passes_.paths().write(paths);
+    context_.check();
+}
+
+std::vector<float> GlBackend::readShadowMap() const {
+    context_.makeCurrent();
+    std::vector<float> depths = passes_.shadowMap().read();
+    context_.check();
+    return depths;
+}
+
+void GlBackend::writeShadowMap(const std::vector<float>& depths) {
+    context_.makeCurrent();
+    passes_.shadowMap().write(depths);
     context_.check();
 }
 

@@ -54,6 +54,7 @@ public:
     bool rasterizes() const override { return true; }
     void beginFrame(const Scene& scene, const RenderSettings& settings,
                     const Requirements& requirements) override;
+    void shadowMap() override;
     void beginSample() override;
     void directVisibility(uint32_t sample) override;
     void depthMask(int event) override;
@@ -71,6 +72,8 @@ public:
     void writeGrid(const Grid& grid) override;
     PathBuffers readPaths() const override;
     void writePaths(const PathBuffers& paths) override;
+    std::vector<float> readShadowMap() const override;
+    void writeShadowMap(const std::vector<float>& depths) override;
     std::vector<glm::vec3> readImage() const override;
 
     FrameCounts counts() const override { return passes_.counts(); }

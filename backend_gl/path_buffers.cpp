@@ -69,7 +69,7 @@ void GlPathBuffers::allocate(const Requirements& need, size_t pixels) {
     make(mask_, need.indirect, sizeof(uint8_t), pixels);
     make(rays_, searches, sizeof(PathRay), pixels);
     make(hits_, searches, sizeof(Hit), pixels);
-    make(visibility_, need.light, sizeof(uint8_t), pixels);
+    make(visibility_, need.shadowRays, sizeof(uint8_t), pixels);
     make(radiance_, true, sizeof(glm::vec3), pixels);
     make(image_, true, sizeof(glm::vec3), pixels);
     maskView_ = viewOfBytes(mask_);

@@ -33,6 +33,14 @@ std::vector<std::string> depositDefines(const SurfaceVariant& surfaces) {
     return defines;
 }
 
+/// What decides whether a surface is there.
+std::vector<std::string> cutOutDefines(const SurfaceVariant& surfaces) {
+    std::vector<std::string> defines = {define("DIRT_CUT_OUTS", surfaces.cutOuts)};
+    if (surfaces.cutOuts)
+        for (std::string& line : surfaceDefines(surfaces)) defines.push_back(std::move(line));
+    return defines;
+}
+
 std::string cases() {
     return "DIRT_CASES " + std::to_string(kSelfTestCases);
 }
@@ -107,12 +115,16 @@ ProgramSource raysSource(bool scatters, bool gloss) {
 }
 
 ProgramSource directVisibilitySource(const SurfaceVariant& surfaces) {
-    std::vector<std::string> defines = {define("DIRT_CUT_OUTS", surfaces.cutOuts)};
-    if (surfaces.cutOuts)
-        for (std::string& line : surfaceDefines(surfaces)) defines.push_back(std::move(line));
     return {"DirectVisibility",
             {"direct_visibility.vert", "direct_visibility.frag"},
-            std::move(defines),
+            cutOutDefines(surfaces),
+            {}};
+}
+
+ProgramSource shadowMapSource(const SurfaceVariant& surfaces) {
+    return {"ShadowMap",
+            {"triangles.vert", "shadow_map.geom", "shadow_map.frag"},
+            cutOutDefines(surfaces),
             {}};
 }
 
@@ -155,13 +167,15 @@ ProgramSource visibilitySource() {
     return {"Visibility's answers", {"visibility.comp"}, {}, {}};
 }
 
-ProgramSource shadeSource(bool secondary, bool emission, bool background, bool light, bool gloss) {
-    return {"Shade",
-            {"shade.comp"},
-            {define("DIRT_SECONDARY", secondary), define("DIRT_EMISSION", emission),
-             define("DIRT_BACKGROUND", background), define("DIRT_LIGHT", light),
-             define("DIRT_GLOSS", gloss)},
-            {}};
+ProgramSource shadeSource(bool secondary, bool emission, bool background, LightShading light,
+                          bool gloss) {
+    return {
+        "Shade",
+        {"shade.comp"},
+        {define("DIRT_SECONDARY", secondary), define("DIRT_EMISSION", emission),
+         define("DIRT_BACKGROUND", background), define("DIRT_LIGHT", light == LightShading::traced),
+         define("DIRT_SHADOW_MAP", light == LightShading::shadowMap), define("DIRT_GLOSS", gloss)},
+        {}};
 }
 
 ProgramSource resolveSource() {

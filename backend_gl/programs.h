@@ -21,6 +21,9 @@ enum class Proposal { rectangles, triangles };
 /// What trace.comp searches for: nearest or any hits of RayRecords, nearest hits of paths' rays.
 enum class Search { nearest, any, paths };
 
+/// How Shade knows whether the light reaches a point.
+enum class LightShading { none, traced, shadowMap };
+
 /// How surfaces are fetched: what the scene has, and how its texels are stored.
 struct SurfaceVariant {
     bool normals = false, textures = false, bumps = false;
@@ -49,13 +52,15 @@ ProgramSource depthMaskSource();
 ProgramSource raysSource(bool scatters, bool gloss);
 ProgramSource directVisibilitySource(const SurfaceVariant& surfaces);
 ProgramSource firstPointsSource(const SurfaceVariant& surfaces);
+ProgramSource shadowMapSource(const SurfaceVariant& surfaces);
 ProgramSource fetchSource(const SurfaceVariant& surfaces, bool raster);
 ProgramSource groupHitsSource();
 ProgramSource rasterFetchSource(ViewMode mode, const SurfaceVariant& surfaces);
 ProgramSource fetchAtEyeSource(const SurfaceVariant& surfaces);
 ProgramSource shadowRaysSource(ViewMode mode, bool gloss);
 ProgramSource visibilitySource();
-ProgramSource shadeSource(bool secondary, bool emission, bool background, bool light, bool gloss);
+ProgramSource shadeSource(bool secondary, bool emission, bool background, LightShading light,
+                          bool gloss);
 ProgramSource resolveSource();
 ProgramSource selfTestRasterSource();
 ProgramSource selfTestComputeSource();

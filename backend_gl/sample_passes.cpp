@@ -1,6 +1,7 @@
 #include "backend_gl/sample_passes.h"
 
 #include "core/path/camera_rays.h"
+#include "core/path/shadow_map.h"
 #include "core/path/spotlight.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ GLuint groupsOf(uint32_t count) {
 
 SamplePasses::SamplePasses(Programs& programs)
     : programs_(programs), parameterBuffer_(sizeof(FrameParameters)), paths_(programs),
-      directVisibility_(programs), rasterFetch_(programs) {}
+      directVisibility_(programs), rasterFetch_(programs), shadowMap_(programs) {}
 
 void SamplePasses::beginFrame(const Scene& scene, const RenderSettings& settings,
                               const Requirements& need, const GridFrame& frame) {
@@ -33,6 +34,7 @@ void SamplePasses::beginFrame(const Scene& scene, const RenderSettings& settings
     parameters_ = {};
     parameters_.plane = CameraRays(scene.camera, width, height, mode_, frame.scale).plane();
     if (need.light) parameters_.light = makeGridSpotlight(scene.lights.front(), frame);
+    if (need.shadowMap > 0) parameters_.shadowMap = makeShadowMap(scene, frame);
     parameters_.right = frame.right;
     parameters_.down = frame.down;
     parameters_.forward = frame.forward;
@@ -48,14 +50,15 @@ void SamplePasses::beginFrame(const Scene& scene, const RenderSettings& settings
     scene_.upload(scene, need);
     paths_.allocate(need, (size_t) width * (size_t) height);
     if (!need.tracedPrimary) directVisibility_.allocate(width, height);
+    shadowMap_.allocate(need.shadowMap);
     const size_t slice = std::min<size_t>(paths_.pixels(), RayCaster::kMostRays);
     const auto make = [](GlBuffer& buffer, size_t bytes) {
         if (buffer.bytes() == bytes) return;
         buffer = {}; // before the next one is allocated
         buffer = GlBuffer(bytes);
     };
-    make(shadowRays_, need.light ? slice * sizeof(RayRecord) : 0);
-    make(shadowHits_, need.light ? slice * sizeof(Hit) : 0);
+    make(shadowRays_, need.shadowRays ? slice * sizeof(RayRecord) : 0);
+    make(shadowHits_, need.shadowRays ? slice * sizeof(Hit) : 0);
 }
 
 void SamplePasses::use(const ProgramSource& program, uint32_t sample, int event) {
@@ -67,6 +70,11 @@ void SamplePasses::use(const ProgramSource& program, uint32_t sample, int event)
     parameterBuffer_.write(0, sizeof parameters_, &parameters_);
     glBindBufferBase(GL_UNIFORM_BUFFER, 1, parameterBuffer_.id());
     programs_.use(program);
+}
+
+void SamplePasses::shadowMap(const TriangleBuffer& triangles) {
+    use(shadowMapSource(scene_.variant()), 0, 0);
+    shadowMap_.draw(triangles, scene_);
 }
 
 void SamplePasses::directVisibility(uint32_t sample, const TriangleBuffer& triangles) {
@@ -106,7 +114,7 @@ void SamplePasses::fetch(const TriangleBuffer& triangles, const GridViews& views
 }
 
 void SamplePasses::visibility(int event, const TracedStructure& structure, RayCaster& caster) {
-    if (!need_.light) return;
+    if (!need_.shadowRays) return;
     uint32_t asked = 0;
     const GlBuffer counter(sizeof asked, &asked);
     for (size_t first = 0; first < paths_.pixels(); first += RayCaster::kMostRays) {
@@ -137,8 +145,12 @@ void SamplePasses::visibility(int event, const TracedStructure& structure, RayCa
 void SamplePasses::shade(int event) {
     // In single mode a secondary ray that leaves the view returns nothing.
     const bool background = need_.background && (event == 0 || mode_ == ViewMode::full);
-    use(shadeSource(event > 0, need_.emission, background, need_.light, need_.gloss),
+    const LightShading light = need_.shadowMap > 0 ? LightShading::shadowMap
+                               : need_.shadowRays  ? LightShading::traced
+                                                   : LightShading::none;
+    use(shadeSource(event > 0, need_.emission, background, light, need_.gloss),
         parameters_.sampleIndex, event);
+    if (need_.shadowMap > 0) shadowMap_.bind();
     paths_.dispatch();
 }
 
@@ -154,6 +166,7 @@ std::vector<BufferSize> SamplePasses::sizes() const {
         if (bytes > 0) sizes.emplace_back(name, bytes);
     };
     add("primitives and depths of pixels", need_.tracedPrimary ? 0 : directVisibility_.bytes());
+    add("shadow map", shadowMap_.bytes());
     add("hit groups", rasterFetch_.bytes());
     add("shadow rays", shadowRays_.bytes() + shadowHits_.bytes());
     return sizes;

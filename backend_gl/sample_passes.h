@@ -5,6 +5,7 @@
 #include "backend_gl/raster_fetch.h"
 #include "backend_gl/ray_caster.h"
 #include "backend_gl/scene_buffers.h"
+#include "backend_gl/shadow_map.h"
 #include "core/frame/backend.h"
 #include "core/grid/grid.h"
 #include "shaders/shared/frame_parameters.h"
@@ -21,6 +22,7 @@ public:
     /// \p frame: that of the triangle buffer.
     void beginFrame(const Scene& scene, const RenderSettings& settings, const Requirements& need,
                     const GridFrame& frame);
+    void shadowMap(const TriangleBuffer& triangles);
     void beginSample() { paths_.clearRadiance(); }
     void directVisibility(uint32_t sample, const TriangleBuffer& triangles);
     void depthMask(int event);
@@ -37,6 +39,7 @@ public:
     const SceneBuffers* cutOuts() const { return scene_.variant().cutOuts ? &scene_ : nullptr; }
     GlPathBuffers& paths() { return paths_; }
     const GlPathBuffers& paths() const { return paths_; }
+    const ShadowMapTexture& shadowMap() const { return shadowMap_; }
     const FrameCounts& counts() const { return counts_; }
     std::vector<BufferSize> sizes() const;
 
@@ -54,6 +57,7 @@ private:
     GlPathBuffers paths_;
     DirectVisibility directVisibility_;
     RasterFetch rasterFetch_;
+    ShadowMapTexture shadowMap_;
     FrameCounts counts_;
 };
 

@@ -53,6 +53,7 @@ RaySets makeRaySets(const Scene& scene, const RenderSettings& settings, Backend&
     RenderSettings two = settings;
     two.samples = 1;
     two.bounces = 2;
+    two.visibility = LightVisibility::traced;
     Renderer(scene, two, recorder).render();
     return sets;
 }

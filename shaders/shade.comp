@@ -6,6 +6,10 @@
 #include "include/frame.glsl"
 #include "include/viewer.glsl"
 
+#if DIRT_SHADOW_MAP
+layout(binding = 5) uniform sampler2D shadowMap;
+#endif
+
 layout(local_size_x = 64) in;
 
 void add(uint i, vec3 radianceOfPixel) {
@@ -36,7 +40,16 @@ void main() {
     precise vec3 seen = throughput * frame.background;
     if (!found) add(i, seen);
 #endif
-#if DIRT_LIGHT
+#if DIRT_SHADOW_MAP
+    if (!found) return;
+    vec3 reflected = reflectedOfLight(i);
+    if (black(reflected)) return;
+    float open = openToLight(shadowMap, frame.light, frame.shadowMap, next[i].position,
+                             next[i].geometricNormal);
+    precise vec3 passing = reflected * open;
+    precise vec3 arriving = throughput * passing;
+    add(i, arriving);
+#elif DIRT_LIGHT
     if (imageLoad(visibility, int(firstPixel + i)).x == 0u) return;
     vec3 reflected = reflectedOfLight(i);
     precise vec3 arriving = throughput * reflected;

@@ -70,6 +70,8 @@ std::string commandOf(const CheckOptions& options, const Input& input) {
            options.backends[1] + structureOptions(input) +
            (settings.primary == Primary::raster ? " --primary raster" : " --primary traced") +
            (settings.fetch == Fetch::raster ? " --fetch raster" : " --fetch direct") +
+           (settings.visibility == LightVisibility::traced ? " --visibility traced"
+                                                           : " --visibility shadowmap") +
            " --ray-type " + rayTypes[(size_t) settings.rayType] + " --bounces " +
            std::to_string(settings.bounces) + " --seed " + std::to_string(settings.seed);
 }

@@ -261,7 +261,7 @@ void runInfo(const InfoOptions& options) {
     const Input input = openInput(common, *executor);
     const auto backend = makeBackend(options.common, *executor);
     const Scene& scene = input.scene;
-    const bool light = requirementsOf(scene, input.settings, backend->rasterizes()).light;
+    const bool light = requirementsOf(scene, input.settings, backend->rasterizes()).shadowRays;
     backend->expectLight(light ? &scene.lights.front() : nullptr);
     const auto build = backend->build(scene.mesh, scene.camera, input.settings.grid);
 

@@ -7,6 +7,7 @@
 #include "core/frame/move_scene.h"
 #include "core/io/error.h"
 #include "core/io/load.h"
+#include "core/path/shadow_map.h"
 
 #ifdef DIRT_HAVE_EMBREE
 #include "backend_embree/embree_backend.h"
@@ -35,6 +36,7 @@ RenderSettings settingsOf(const SceneSettings& file) {
     settings.grid.tile = file.tile.value_or(settings.grid.tile);
     settings.grid.bins = file.bins.value_or(settings.grid.bins);
     settings.bounces = file.bounces.value_or(settings.bounces);
+    settings.visibility = file.visibility.value_or(settings.visibility);
     return settings;
 }
 
@@ -124,6 +126,8 @@ Input openInput(const CommonOptions& options, Executor& executor) {
             loaded.scene.background = glm::vec3(kModelBackground);
         }
     }
+    if (input.settings.visibility == LightVisibility::shadowMap)
+        for (const Spotlight& light : loaded.scene.lights) checkShadowMap(light);
     input.scene = std::move(loaded.scene);
     input.warnings = std::move(loaded.warnings);
     input.ignored = std::move(loaded.ignored);

@@ -46,6 +46,9 @@ void addStructureOptions(CLI::App& command, CommonOptions& o) {
               "how material data is found: by rasterizing against the hits, or by primitive id "
               "(default: raster)",
               [&o](size_t i) { o.fetch = i == 0 ? Fetch::raster : Fetch::direct; });
+    addChoice(command, "--visibility", {"traced", "shadowmap"},
+              "how it is found whether the light reaches a point (default: traced)",
+              [&o](size_t i) { o.visibility = (LightVisibility) i; });
     addChoice(command, "--precision", {"exact", "fast"},
               "hits by exact signs, or by a plain float test that loses some (default: exact)",
               [&o](size_t i) { o.precision = i == 0 ? Precision::exact : Precision::fast; });
@@ -107,6 +110,7 @@ RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& o) {
     grid.precision = o.precision.value_or(grid.precision);
     settings.primary = o.primary.value_or(settings.primary);
     settings.fetch = o.fetch.value_or(settings.fetch);
+    settings.visibility = o.visibility.value_or(settings.visibility);
     settings.samples = o.samples.value_or(settings.samples);
     settings.bounces = o.bounces.value_or(settings.bounces);
     settings.rayType = o.rayType.value_or(settings.rayType);

@@ -37,6 +37,7 @@ struct CommonOptions {
     std::optional<Precision> precision;
     std::optional<Primary> primary;
     std::optional<Fetch> fetch;
+    std::optional<LightVisibility> visibility;
     std::optional<int> samples;
     std::optional<int> bounces;
     std::optional<uint32_t> seed;

@@ -2,6 +2,7 @@
 
 #include "core/check/adjudicate_visibility.h"
 #include "core/check/compare_paths.h"
+#include "core/check/compare_structure.h"
 #include "core/frame/forwarding_backend.h"
 #include "core/frame/renderer.h"
 #include "core/path/camera_rays.h"
@@ -64,10 +65,26 @@ public:
                     const Requirements& requirements) override {
         inner_.beginFrame(scene, settings, requirements);
         tested_.beginFrame(scene, settings, requirements);
+        resolution_ = requirements.shadowMap;
         state_ = inner_.readPaths();
         std::fill(state_.radiance.begin(), state_.radiance.end(), kLeftover);
         std::fill(state_.image.begin(), state_.image.end(), kLeftover);
         inner_.writePaths(state_);
+    }
+
+    void shadowMap() override {
+        inner_.shadowMap();
+        tested_.shadowMap();
+        const std::vector<float> expected = inner_.readShadowMap();
+        CheckRow row;
+        row.pass = "ShadowMap";
+        row.buffer = "shadow map";
+        row.tested = tested_.name();
+        row.source = inner_.name();
+        compareShadowMaps(expected, tested_.readShadowMap(), resolution_,
+                          inner_.isIeee() && tested_.isIeee(), row);
+        rows_.push_back(std::move(row));
+        tested_.writeShadowMap(expected);
     }
 
     void beginSample() override {
@@ -90,11 +107,11 @@ public:
         run("Fetch", k, {PathBuffer::next, PathBuffer::hits}, [=](Backend& b) { b.fetch(k); });
     }
     void visibility(int k) override {
-        if (k == 0)
-            for (const SurfacePoint& point : state_.next) surfaces_.push_back(point.primitive);
         run("Visibility", k, {PathBuffer::visibility}, [=](Backend& b) { b.visibility(k); });
     }
     void shade(int k) override {
+        if (k == 0)
+            for (const SurfacePoint& point : state_.next) surfaces_.push_back(point.primitive);
         run("Shade", k, {PathBuffer::radiance}, [=](Backend& b) { b.shade(k); });
         event_ = k;
     }
@@ -161,6 +178,7 @@ private:
     std::vector<uint32_t> surfaces_;
     std::vector<CheckRow> rows_;
     CheckRow untouched_;
+    size_t resolution_ = 0; ///< of the shadow map
     int event_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "core/check/compare_structure.h"
 
 #include "core/grid/clip.h"
+#include "core/trace/intersect.h"
 
 #include <algorithm>
 #include <bit>
@@ -161,6 +162,27 @@ void compareAtEye(const Grid& source, const Grid& tested, CheckRow& row) {
     row.compared = common.size() + different.size();
     for (uint32_t id : different)
         row.differ([&] { return "only one lists triangle " + std::to_string(id); });
+}
+
+void compareShadowMaps(const std::vector<float>& source, const std::vector<float>& tested,
+                       size_t resolution, bool isIeee, CheckRow& row) {
+    row.compared = std::max(source.size(), tested.size());
+    for (size_t i = 0; i < row.compared; ++i) {
+        const bool both = i < source.size() && i < tested.size();
+        if (both && source[i] == tested[i])
+            ++row.equal;
+        else if (both && !isIeee &&
+                 std::fabs(source[i] - tested[i]) <=
+                     kRelativeErrorT * std::max(source[i], tested[i]))
+            ++row.withinTolerance;
+        else
+            row.differ([&] {
+                const std::string texel = "texel " + std::to_string(i % resolution) + "," +
+                                          std::to_string(i / resolution) + ": ";
+                return both ? texel + hex(source[i]) + ", not " + hex(tested[i])
+                            : texel + "in one of the two alone";
+            });
+    }
 }
 
 } // namespace dirt

@@ -3,6 +3,8 @@
 #include "core/check/check_row.h"
 #include "core/grid/grid.h"
 
+#include <vector>
+
 namespace dirt {
 
 // Comparisons of one buffer each, which set the counts and examples of a row. \p ulps is what
@@ -20,5 +22,10 @@ void compareLists(const FrameGeometry& geometry, const Grid& source, const Grid&
 
 /// The triangles at the eye.
 void compareAtEye(const Grid& source, const Grid& tested, CheckRow& row);
+
+/// Shadow maps, texel by texel; \p resolution is that of a side. Depths may be off by err(t) where
+/// arithmetic is not IEEE.
+void compareShadowMaps(const std::vector<float>& source, const std::vector<float>& tested,
+                       size_t resolution, bool isIeee, CheckRow& row);
 
 } // namespace dirt

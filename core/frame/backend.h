@@ -55,6 +55,9 @@ public:
     virtual void beginFrame(const Scene& scene, const RenderSettings& settings,
                             const Requirements& requirements) = 0;
 
+    /// The depths that the light sees, where requirements ask for its shadow map; once a frame.
+    virtual void shadowMap() = 0;
+
     // The passes of a sample.
     virtual void beginSample() = 0;
     virtual void directVisibility(uint32_t sample) = 0;
@@ -76,6 +79,9 @@ public:
     /// Buffers that the frame does not need are empty.
     virtual PathBuffers readPaths() const = 0;
     virtual void writePaths(const PathBuffers& paths) = 0;
+    /// Depths of the shadow map, row by row; empty where there is none.
+    virtual std::vector<float> readShadowMap() const = 0;
+    virtual void writeShadowMap(const std::vector<float>& depths) = 0;
     /// PathBuffers::image alone.
     virtual std::vector<glm::vec3> readImage() const = 0;
 

@@ -39,6 +39,7 @@ public:
                     const Requirements& requirements) override {
         inner_.beginFrame(scene, settings, requirements);
     }
+    void shadowMap() override { inner_.shadowMap(); }
     void beginSample() override { inner_.beginSample(); }
     void directVisibility(uint32_t sample) override { inner_.directVisibility(sample); }
     void depthMask(int event) override { inner_.depthMask(event); }
@@ -56,6 +57,10 @@ public:
     void writeGrid(const Grid& grid) override { inner_.writeGrid(grid); }
     PathBuffers readPaths() const override { return inner_.readPaths(); }
     void writePaths(const PathBuffers& paths) override { inner_.writePaths(paths); }
+    std::vector<float> readShadowMap() const override { return inner_.readShadowMap(); }
+    void writeShadowMap(const std::vector<float>& depths) override {
+        inner_.writeShadowMap(depths);
+    }
     std::vector<glm::vec3> readImage() const override { return inner_.readImage(); }
 
     FrameCounts counts() const override { return inner_.counts(); }

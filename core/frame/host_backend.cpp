@@ -1,5 +1,6 @@
 #include "core/frame/host_backend.h"
 
+#include "core/frame/shadow_map.h"
 #include "core/frame/transform_mesh.h"
 
 #include <algorithm>
@@ -24,7 +25,12 @@ void HostBackend::beginFrame(const Scene& scene, const RenderSettings& settings,
     transformed_.cutOuts = requirements.cutOuts ? &scene : nullptr;
     frame_.emplace(scene, *geometry_, settings, requirements);
     paths_.allocate(requirements, (size_t) settings.grid.width * (size_t) settings.grid.height);
+    if (!frame_->shadowMap) shadowDepths_ = {};
     counts_ = {};
+}
+
+void HostBackend::shadowMap() {
+    rasterizeShadowMap(*geometry_, *frame_->light, *frame_->shadowMap, executor_, shadowDepths_);
 }
 
 void HostBackend::beginSample() {
@@ -56,7 +62,7 @@ void HostBackend::visibility(int event) {
 }
 
 void HostBackend::shade(int event) {
-    passShade(*frame_, executor_, event, paths_);
+    passShade(*frame_, executor_, event, shadowDepths_, paths_);
 }
 
 void HostBackend::shift() {
@@ -78,6 +84,8 @@ void HostBackend::writeGrid(const Grid&) {
 std::vector<BufferSize> HostBackend::memory() const {
     std::vector<BufferSize> sizes = {{"triangle buffer", triangleBytes_}};
     for (BufferSize& size : paths_.sizes()) sizes.push_back(std::move(size));
+    if (!shadowDepths_.empty())
+        sizes.emplace_back("shadow map", shadowDepths_.size() * sizeof(float));
     return sizes;
 }
 

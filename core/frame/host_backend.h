@@ -23,6 +23,7 @@ public:
     bool rasterizes() const override { return false; }
     void beginFrame(const Scene& scene, const RenderSettings& settings,
                     const Requirements& requirements) override;
+    void shadowMap() override;
     void beginSample() override;
     void directVisibility(uint32_t sample) override;
     void depthMask(int event) override;
@@ -40,6 +41,8 @@ public:
     void writeGrid(const Grid& grid) override;
     PathBuffers readPaths() const override { return paths_; }
     void writePaths(const PathBuffers& paths) override { paths_ = paths; }
+    std::vector<float> readShadowMap() const override { return shadowDepths_; }
+    void writeShadowMap(const std::vector<float>& depths) override { shadowDepths_ = depths; }
     std::vector<glm::vec3> readImage() const override { return paths_.image; }
 
     FrameCounts counts() const override { return counts_; }
@@ -56,6 +59,7 @@ protected:
     const FrameGeometry* geometry_ = nullptr; ///< alive while it is in use, no longer
     std::optional<FrameContext> frame_;
     PathBuffers paths_;
+    std::vector<float> shadowDepths_; ///< of the light's shadow map
     FrameCounts counts_;
 
 private:

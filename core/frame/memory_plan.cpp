@@ -53,9 +53,12 @@ std::vector<PlannedBuffer> planPaths(const Requirements& need, const GridSetting
     add("mask", need.indirect, sizeof(uint8_t), "paths that go on");
     add("rays", rays, sizeof(PathRay), need.indirect ? "indirect rays" : "traced primary rays");
     add("hit buffer", rays, sizeof(Hit), "at most one hit a pixel");
-    add("visibility", need.light, sizeof(uint8_t), "shadow rays to the light");
+    add("visibility", need.shadowRays, sizeof(uint8_t), "shadow rays to the light");
     add("radiance", true, sizeof(glm::vec3), "of the sample under way");
     add("image", true, sizeof(glm::vec3), "sum of the finished samples");
+    if (need.shadowMap > 0)
+        plan.push_back({"shadow map", uint64_t(need.shadowMap) * need.shadowMap * sizeof(float),
+                        "nearest depths as the light sees them"});
     return plan;
 }
 

@@ -22,7 +22,7 @@ struct PlannedBuffer {
 std::vector<PlannedBuffer> planStructure(const GridSettings& settings, const Camera& camera,
                                          uint64_t triangles, uint64_t listEntries);
 
-/// The buffers of the paths, as PathBuffers::allocate makes them.
+/// The buffers of the paths, as PathBuffers::allocate makes them, and the light's shadow map.
 std::vector<PlannedBuffer> planPaths(const Requirements& requirements,
                                      const GridSettings& settings);
 

@@ -63,6 +63,17 @@ glm::vec3 reflectedOfLight(const FrameContext& frame, int event, const PathBuffe
                              towardsViewer(frame, event, paths, pixel, point), light);
 }
 
+/// What the surface at G[k+1] reflects of the light that its shadow map lets through.
+glm::vec3 litThroughMap(const FrameContext& frame, int event, std::span<const float> depths,
+                        const PathBuffers& paths, size_t pixel) {
+    const glm::vec3 reflected = reflectedOfLight(frame, event, paths, pixel);
+    if (black(reflected)) return glm::vec3(0.0f);
+    const SurfacePoint& point = paths.next[pixel];
+    const ShadowTexels texels{depths.data(), frame.shadowMap->resolution};
+    return reflected * openToLight(texels, *frame.light, *frame.shadowMap, point.position,
+                                   point.geometricNormal);
+}
+
 Scattering scatterAt(const FrameContext& frame, const RandomNumbers& random, int event,
                      const PathBuffers& paths, const SurfacePoint& point) {
     const float u = random(kDimensionScatterU), v = random(kDimensionScatterV);
@@ -111,6 +122,7 @@ FrameContext::FrameContext(const Scene& scene, const FrameGeometry& geometry,
     if (settings.grid.mode == ViewMode::single)
         view.emplace(makeViews(settings.grid, scene.camera).front());
     if (requirements.light) light = makeGridSpotlight(scene.lights.front(), geometry.frame);
+    if (requirements.shadowMap > 0) shadowMap = makeShadowMap(scene, geometry.frame);
 }
 
 void passDepthMask(const FrameContext& frame, Executor& executor, int event, PathBuffers& paths) {
@@ -186,7 +198,7 @@ void passFetch(const FrameContext& frame, Executor& executor, PathBuffers& paths
 
 void passVisibility(const FrameContext& frame, Executor& executor, Tracer& tracer, int event,
                     PathBuffers& paths, FrameCounts& counts) {
-    if (!frame.light) return;
+    if (!frame.requirements.shadowRays) return;
     const auto pixels = compact(executor, paths.next.size(), kGrain, [&](size_t i) {
         paths.visibility[i] = 0;
         return paths.alive(event, i) && paths.next[i].found() &&
@@ -212,7 +224,8 @@ void passVisibility(const FrameContext& frame, Executor& executor, Tracer& trace
     counts.shadowRays += pixels.size();
 }
 
-void passShade(const FrameContext& frame, Executor& executor, int event, PathBuffers& paths) {
+void passShade(const FrameContext& frame, Executor& executor, int event,
+               std::span<const float> shadowDepths, PathBuffers& paths) {
     // In single mode a secondary ray that leaves the view returns nothing.
     const bool seesBackground = event == 0 || frame.settings.grid.mode == ViewMode::full;
     executor.forRange(paths.next.size(), kGrain, [&](size_t begin, size_t end) {
@@ -226,8 +239,11 @@ void passShade(const FrameContext& frame, Executor& executor, int event, PathBuf
                 paths.radiance[i] += throughput * point.emission;
             else if (seesBackground)
                 paths.radiance[i] += throughput * frame.scene.background;
-            if (frame.light && paths.visibility[i])
+            if (frame.requirements.shadowRays && paths.visibility[i])
                 paths.radiance[i] += throughput * reflectedOfLight(frame, event, paths, i);
+            if (frame.shadowMap && point.found())
+                paths.radiance[i] +=
+                    throughput * litThroughMap(frame, event, shadowDepths, paths, i);
         }
     });
 }

@@ -3,11 +3,13 @@
 #include "core/frame/backend.h"
 #include "core/frame/executor.h"
 #include "core/path/camera_rays.h"
+#include "core/path/shadow_map.h"
 #include "core/path/spotlight.h"
 #include "core/trace/view_cone.h"
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace dirt {
 
@@ -21,7 +23,8 @@ struct FrameContext {
     uint microfacets; ///< the scene's model
     uint rayType;     ///< what indirect rays take surfaces for; the values of RayType
     std::optional<GridSpotlight> light;
-    std::optional<ViewCone> view; ///< single mode: where secondary and shadow rays end
+    std::optional<ShadowMap> shadowMap; ///< of the light
+    std::optional<ViewCone> view;       ///< single mode: where secondary and shadow rays end
 
     FrameContext(const Scene& scene, const FrameGeometry& geometry, const RenderSettings& settings,
                  const Requirements& requirements);
@@ -53,7 +56,9 @@ void passVisibility(const FrameContext& frame, Executor& executor, Tracer& trace
                     PathBuffers& paths, FrameCounts& counts);
 
 /// Adds what G[k+1] emits and reflects of the light, or the background, to the pixel's radiance.
-void passShade(const FrameContext& frame, Executor& executor, int event, PathBuffers& paths);
+/// \p shadowDepths: the light's shadow map, if it has one.
+void passShade(const FrameContext& frame, Executor& executor, int event,
+               std::span<const float> shadowDepths, PathBuffers& paths);
 
 /// Shifts the three points left.
 void passShift(PathBuffers& paths);

@@ -22,7 +22,7 @@ void PathBuffers::allocate(const Requirements& need, size_t pixels) {
     make(mask, need.indirect, pixels);
     make(rays, need.indirect || need.tracedPrimary, pixels);
     make(hits, need.indirect || need.tracedPrimary, pixels);
-    make(visibility, need.light, pixels);
+    make(visibility, need.shadowRays, pixels);
     make(radiance, true, pixels);
     make(image, true, pixels);
 }

@@ -11,10 +11,10 @@ namespace {
 /// The samples of one frame in the making.
 class Samples {
 public:
-    Samples(const RenderSettings& settings, bool rasterPrimary, Backend& backend,
+    Samples(const RenderSettings& settings, const Requirements& need, Backend& backend,
             const RenderHooks& hooks, PassClock& clock)
-        : settings_(settings), rasterPrimary_(rasterPrimary), backend_(backend), hooks_(hooks),
-          clock_(clock) {}
+        : settings_(settings), rasterPrimary_(!need.tracedPrimary), traceLight_(need.shadowRays),
+          backend_(backend), hooks_(hooks), clock_(clock) {}
 
     /// The order of the passes of one sample. False if it was given up.
     bool run(uint32_t sample) {
@@ -48,7 +48,7 @@ private:
     }
 
     bool lightPoints(uint32_t sample, int k) {
-        time("Visibility", k, [&] { backend_.visibility(k); });
+        if (traceLight_) time("Visibility", k, [&] { backend_.visibility(k); });
         time("Shade", k, [&] { backend_.shade(k); });
         if (stopped()) return false;
         if (hooks_.observe) hooks_.observe(sample, k);
@@ -57,7 +57,7 @@ private:
     }
 
     const RenderSettings& settings_;
-    bool rasterPrimary_;
+    bool rasterPrimary_, traceLight_;
     Backend& backend_;
     const RenderHooks& hooks_;
     PassClock& clock_;
@@ -89,11 +89,12 @@ RenderResult Renderer::render(const RenderHooks& hooks) {
     PassClock clock;
     Requirements need = requirementsOf(scene_, settings_, backend_.rasterizes());
     need.previousPoint |= previousPoint_;
-    backend_.expectLight(need.light ? &scene_.lights.front() : nullptr);
+    backend_.expectLight(need.shadowRays ? &scene_.lights.front() : nullptr);
     result.build = backend_.build(scene_.mesh, scene_.camera, settings_.grid);
 
     backend_.beginFrame(scene_, settings_, need);
-    Samples samples(settings_, !need.tracedPrimary, backend_, hooks, clock);
+    if (need.shadowMap > 0) clock.time("ShadowMap", 0, [&] { backend_.shadowMap(); });
+    Samples samples(settings_, need, backend_, hooks, clock);
     while (result.samples < settings_.samples && samples.run((uint32_t) result.samples)) {
         ++result.samples;
         if (hooks.progress) hooks.progress(result.samples, settings_.samples);

@@ -65,6 +65,9 @@ std::string share(size_t count, size_t all, const char* what) {
 Requirements requirementsOf(const Scene& scene, const RenderSettings& settings, bool rasterizes) {
     Requirements need;
     need.light = !scene.lights.empty() && settings.rayType != RayType::visibility;
+    const bool mapped = settings.visibility == LightVisibility::shadowMap;
+    need.shadowRays = need.light && !mapped;
+    if (need.light && mapped) need.shadowMap = (uint32_t) scene.lights.front().resolution;
     need.emission = countMaterials(scene, shines) > 0;
     need.background = !black(scene.background);
     const bool textured = !scene.mesh.texcoords.empty();
@@ -95,6 +98,14 @@ std::vector<RequirementReason> explain(const Requirements& need, const Scene& sc
          scene.lights.empty() ? "no light in the scene"
          : need.light         ? "the scene has a spotlight"
                               : "the image shows visibility alone"},
+        {"shadow rays", need.shadowRays,
+         !need.light       ? "no light"
+         : need.shadowRays ? "whether a point sees the light is traced"
+                           : "the light has a shadow map"},
+        {"shadow map", need.shadowMap > 0,
+         need.shadowMap > 0
+             ? "asked for: " + std::to_string(need.shadowMap) + " texels along a side"
+             : "not asked for"},
         {"emission", need.emission, share(countMaterials(scene, shines), materials, "materials")},
         {"background", need.background,
          need.background ? "rays that miss see a radiance" : "rays that miss see black"},

@@ -12,7 +12,9 @@ namespace dirt {
 /// from this and from nothing else. Emission, background, textures and normals choose between
 /// shaders; the passes on the host look at the scene itself.
 struct Requirements {
-    bool light = false;               ///< a spotlight: shadow rays, visibility
+    bool light = false;               ///< a spotlight
+    bool shadowRays = false;          ///< whether it is seen is traced: visibility
+    uint32_t shadowMap = 0;           ///< texels along a side of its shadow map; 0: it has none
     bool emission = false;            ///< surfaces that shine
     bool background = false;          ///< radiance where nothing is hit
     bool diffuseTextures = false;     ///< reflectance from a map_Kd

@@ -37,6 +37,9 @@ enum class Primary { raster, traced };
 /// primitive id.
 enum class Fetch { raster, direct };
 
+/// How it is found whether the light reaches a point: by a ray, or in a shadow map.
+enum class LightVisibility { traced, shadowMap };
+
 /// What indirect rays take every surface for, to look at: itself; Lambert's; a metal of roughness
 /// 0.1; a mirror; or nothing, where the image shows the part of a cosine hemisphere that is open.
 enum class RayType { normal, diffuse, glossy, specular, visibility };
@@ -51,6 +54,7 @@ struct RenderSettings {
     bool roulette = true; ///< paths beyond three bounces go on by chance
     Primary primary = Primary::raster;
     Fetch fetch = Fetch::raster;
+    LightVisibility visibility = LightVisibility::traced;
 
     bool operator==(const RenderSettings&) const = default;
 };

@@ -25,6 +25,7 @@ constexpr SceneAttribute kHonoured[] = {
     {"tracing", "block_size"},
     {"tracing", "buckets"},
     {"tracing", "indirect_bounces"},
+    {"tracing", "accurate_visibility"},
     {"tracing", "dof"},
     {"tracing", "aperture_radius"},
     {"tracing", "focal_distance"},
@@ -53,6 +54,11 @@ constexpr SceneAttribute kHonoured[] = {
     {"light", "penumbra"},
     {"light", "spotlight_exponent"},
     {"light", "conical"},
+    {"light", "resolution"},
+    {"light", "near_range"},
+    {"light", "far_range"},
+    {"light", "constant_bias"},
+    {"light", "soft_shadow_size"},
     {"transformation", "scale"},
     {"transformation", "rotation"},
     {"transformation", "translation"},
@@ -146,6 +152,8 @@ private:
         settings.bins = attributes.integer("buckets", 1, 256);
         if (const auto bounces = attributes.integer("indirect_bounces", 0, 1023))
             settings.bounces = *bounces + 1;
+        if (const auto traced = attributes.boolean("accurate_visibility"))
+            settings.visibility = *traced ? LightVisibility::traced : LightVisibility::shadowMap;
         if (attributes.boolean("dof").value_or(true)) {
             Camera& camera = scene_.camera;
             camera.apertureRadius =
@@ -220,7 +228,20 @@ private:
             attributes.number("penumbra", 0.0, light.aperture).value_or(light.aperture);
         light.exponent =
             attributes.number("spotlight_exponent", 0.0, FLT_MAX).value_or(light.exponent);
+        shadowMap(node, attributes, light);
         scene_.light = light;
+    }
+
+    void shadowMap(pugi::xml_node node, const XmlAttributes& attributes, Spotlight& light) {
+        light.resolution = attributes.integer("resolution", 1, 16384).value_or(light.resolution);
+        light.nearRange = attributes.number("near_range", 0.0, FLT_MAX).value_or(light.nearRange);
+        light.farRange = attributes.number("far_range", 0.0, FLT_MAX).value_or(light.farRange);
+        if (attributes.text("far_range") && !(light.farRange > light.nearRange))
+            xml_.fail(node, "far_range is not beyond near_range");
+        light.constantBias =
+            attributes.number("constant_bias", 0.0, 1.0).value_or(light.constantBias);
+        light.softShadowSize =
+            attributes.number("soft_shadow_size", 0.0, FLT_MAX).value_or(light.softShadowSize);
     }
 
     void toneMapping(pugi::xml_node node) {

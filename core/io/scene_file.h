@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/grid/geometry.h"
+#include "core/frame/settings.h"
 #include "core/io/load_report.h"
 #include "core/scene/scene.h"
 
@@ -18,10 +18,11 @@ namespace dirt {
 
 /// The render settings that a .scene file gives (element <tracing>).
 struct SceneSettings {
-    std::optional<int> tile;      ///< block_size, pixels
-    std::optional<int> bins;      ///< buckets
-    std::optional<int> bounces;   ///< indirect_bounces + 1
-    std::optional<ViewMode> view; ///< faces: cubemap is full, single is single
+    std::optional<int> tile;                   ///< block_size, pixels
+    std::optional<int> bins;                   ///< buckets
+    std::optional<int> bounces;                ///< indirect_bounces + 1
+    std::optional<ViewMode> view;              ///< faces: cubemap is full, single is single
+    std::optional<LightVisibility> visibility; ///< accurate_visibility: traced
 };
 
 /// A .scene file: XML in the format of the 2017 DIRT demo. Geometry is named, not loaded.

@@ -16,6 +16,13 @@ struct Spotlight {
     float penumbra = 80.0f; ///< full angle of the inner cone, degrees
     float exponent = 1.0f;
     bool conical = true; ///< false: a square frustum
+
+    // Of its shadow map, where it has one.
+    int resolution = 1024;       ///< texels along a side
+    float nearRange = 0.0f;      ///< depths along the axis between which things cast;
+    float farRange = 0.0f;       ///<   0: whatever is farther
+    float constantBias = 0.001f; ///< of the range, or of the scene's depth where it has no end
+    float softShadowSize = 0.0f; ///< width over which a shadow's edge is blurred
 };
 
 } // namespace dirt

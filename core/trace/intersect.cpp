@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -60,23 +59,30 @@ EdgeWeights exactEdgeWeights(const Ray& ray, const Triangle& t) {
             edgeDeterminantExact(ray.origin, ray.direction, t.a, t.b), 0.0};
 }
 
-/// Numerator and denominator of t, each with a relative error below 2^-29 and the exact sign.
-std::pair<double, double> distanceFraction(const Ray& ray, const Triangle& t) {
-    const glm::dvec3 a(t.a), d(ray.direction);
+} // namespace
+
+PlaneDistance::PlaneDistance(glm::vec3 origin, const Triangle& t) : triangle_(t) {
+    const glm::dvec3 a(t.a);
     const glm::dvec3 ab = glm::dvec3(t.b) - a, ac = glm::dvec3(t.c) - a;
-    const glm::dvec3 toA = a - glm::dvec3(ray.origin);
-    const glm::dvec3 normal = glm::cross(ab, ac);
-    double numerator = glm::dot(normal, toA), denominator = glm::dot(normal, d);
-    // The bound above is 2^-49 of the norms; 2^-29 of the value is wanted.
-    const double norms = 0x1p-20 * maxNorm(ab) * maxNorm(ac);
-    if (std::abs(numerator) <= norms * oneNorm(toA))
-        numerator = -planeDeterminantExact(ray.origin, t.a, t.b, t.c);
-    if (std::abs(denominator) <= norms * oneNorm(d))
-        denominator = directionDeterminantExact(ray.direction, t.a, t.b, t.c);
-    return {numerator, denominator};
+    const glm::dvec3 toA = a - glm::dvec3(origin);
+    normal_ = glm::cross(ab, ac);
+    numerator_ = glm::dot(normal_, toA);
+    // The bound above is 2^-49 of the norms; 2^-29 of the value is wanted, here and below.
+    norms_ = 0x1p-20 * maxNorm(ab) * maxNorm(ac);
+    if (std::abs(numerator_) <= norms_ * oneNorm(toA))
+        numerator_ = -planeDeterminantExact(origin, t.a, t.b, t.c);
 }
 
-} // namespace
+bool PlaneDistance::at(glm::vec3 direction, float& t) const {
+    const glm::dvec3 d(direction);
+    double denominator = glm::dot(normal_, d);
+    if (std::abs(denominator) <= norms_ * oneNorm(d))
+        denominator = directionDeterminantExact(direction, triangle_.a, triangle_.b, triangle_.c);
+    if (numerator_ != 0.0 && (numerator_ < 0.0) != (denominator < 0.0)) return false;
+    const double exact = std::abs(numerator_ / denominator);
+    t = exact < (double) FLT_MIN ? 0.0f : (float) std::min(exact, (double) FLT_MAX);
+    return true;
+}
 
 bool intersect(const Ray& ray, const Triangle& triangle, TriangleHit& out) {
     // Repeated vertices are common in real files, tens of thousands in one place, and would be
@@ -91,11 +97,7 @@ bool intersect(const Ray& ray, const Triangle& triangle, TriangleHit& out) {
     // area; otherwise their sum, d . normal, is not zero and the line meets the plane in a point.
     if (positive == negative) return false;
 
-    const auto [numerator, denominator] = distanceFraction(ray, triangle);
-    if (numerator != 0.0 && (numerator < 0.0) != (denominator < 0.0)) return false;
-
-    const double t = std::abs(numerator / denominator);
-    out.t = t < (double) FLT_MIN ? 0.0f : (float) std::min(t, (double) FLT_MAX);
+    if (!PlaneDistance(ray.origin, triangle).at(ray.direction, out.t)) return false;
 
     // Weights of a tiny far triangle: 2^-22 of their sum has to be above their error.
     if (std::abs(weights.a + weights.b + weights.c) < 0x1p25 * weights.bound)

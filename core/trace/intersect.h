@@ -21,6 +21,24 @@ struct TriangleHit {
 /// the triangle's plane and a triangle without area are no hit. Does not look at ray.skip.
 bool intersect(const Ray& ray, const Triangle& triangle, TriangleHit& out);
 
+/// Where rays from one origin meet the plane of a triangle: intersect()'s t, for many directions.
+/// \p triangle must outlive it.
+class PlaneDistance {
+public:
+    PlaneDistance(glm::vec3 origin, const Triangle& triangle);
+
+    /// 1 or -1: the side of the plane that the origin is not on; 0 if the plane holds it.
+    int side() const { return (numerator_ > 0.0) - (numerator_ < 0.0); }
+    /// t of a ray that meets the triangle or its mirror image behind the origin, which is false.
+    bool at(glm::vec3 direction, float& t) const;
+
+private:
+    const Triangle& triangle_;
+    glm::dvec3 normal_;
+    double numerator_; ///< of t, with a relative error below 2^-29 and the exact sign
+    double norms_;
+};
+
 /// Whether two triangles have exactly the same three vertices, in any order (T5).
 bool sameVertices(const Triangle& a, const Triangle& b);
 

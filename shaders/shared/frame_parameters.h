@@ -3,7 +3,7 @@
 #define DIRT_SHARED_FRAME_PARAMETERS_H
 
 #include "shaders/shared/camera_rays.h"
-#include "shaders/shared/spotlight.h"
+#include "shaders/shared/shadow_map.h"
 
 DIRT_SHARED_BEGIN
 
@@ -26,6 +26,7 @@ struct FrameParameters {
     uint roulette DIRT_DEFAULT(0u);    // 1: paths beyond three bounces go on by chance
     uint lens DIRT_DEFAULT(0u);        // 1: the camera has an aperture
     uint unused DIRT_DEFAULT(0u);
+    ShadowMap shadowMap;
 };
 
 DIRT_SHARED_END
@@ -35,10 +36,11 @@ DIRT_SHARED_END
 #include <cstddef>
 
 namespace dirt {
-static_assert(sizeof(FrameParameters) == 240 && offsetof(FrameParameters, light) == 64 &&
+static_assert(sizeof(FrameParameters) == 272 && offsetof(FrameParameters, light) == 64 &&
               offsetof(FrameParameters, right) == 144 && offsetof(FrameParameters, width) == 172 &&
               offsetof(FrameParameters, background) == 192 &&
-              offsetof(FrameParameters, offsetX) == 208);
+              offsetof(FrameParameters, offsetX) == 208 &&
+              offsetof(FrameParameters, shadowMap) == 240);
 } // namespace dirt
 
 #endif

@@ -219,6 +219,33 @@ TEST(Check, CountsTheWrongRecordsOfAPassInItsRow) {
     }
 }
 
+TEST(Check, AShadowMapHasARowWhereThereIsOne) {
+    SerialExecutor executor;
+    Scene scene = room();
+    scene.lights[0].resolution = 50;
+    RenderSettings settings = smallImage();
+    settings.visibility = LightVisibility::shadowMap;
+    CpuBackend cpu(executor);
+    PlainBackend plain(executor);
+    const CheckReport report = checkBackends(scene, settings, plain, cpu);
+    expectEqual(report);
+    std::vector<std::string> rows = rowsOf(report, "cpu");
+    std::erase_if(rows, [](const std::string& row) { return row.starts_with("Fill"); });
+    std::vector<std::string> expected = sampleRows(true, 3);
+    std::erase_if(expected, [](const std::string& row) { return row.starts_with("Visib"); });
+    expected.insert(expected.begin(), "ShadowMap: shadow map");
+    EXPECT_EQ(rows, expected);
+
+    Fault fault{"ShadowMap", -1};
+    fault.spoilShadowMap = [](std::vector<float>& depths) {
+        for (size_t i : {3, 700, 701}) depths[i] = nextAbove(depths[i]);
+    };
+    CpuBackend inner(executor);
+    FaultyBackend faulty(inner, fault);
+    for (const CheckRow& row : checkBackends(scene, settings, cpu, faulty).rows)
+        EXPECT_EQ(row.different, row.pass == "ShadowMap" ? 3u : 0u) << text(row);
+}
+
 TEST(Check, CountsWhatAPassMustNotWrite) {
     Random random(4);
     const auto places = somePlaces(random, 48 * 32, 7);

@@ -13,6 +13,7 @@ struct Fault {
     std::function<void(PathBuffers&)> spoilPaths = {};
     std::function<void(Grid&)> spoilGrid = {};
     std::function<void(FrameGeometry&)> spoilGeometry = {};
+    std::function<void(std::vector<float>&)> spoilShadowMap = {};
 };
 
 class FaultyBackend final : public ForwardingBackend {
@@ -43,6 +44,13 @@ public:
         spoilGrid("FillPrimitives");
     }
 
+    void shadowMap() override {
+        inner_.shadowMap();
+        if (fault_.pass != "ShadowMap") return;
+        std::vector<float> depths = inner_.readShadowMap();
+        fault_.spoilShadowMap(depths);
+        inner_.writeShadowMap(depths);
+    }
     void beginSample() override {
         inner_.beginSample();
         spoil("Clear", 0);

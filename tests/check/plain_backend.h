@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/frame/host_backend.h"
+#include "core/frame/shadow_map.h"
 #include "core/grid/scan.h"
 #include "core/path/surface.h"
 #include "core/trace/traverse.h"
@@ -66,6 +67,14 @@ public:
                     point = fetchSurface(frame_->scene, *geometry_, ray.direction, hit.primitive,
                                          hit.u, hit.v);
             }
+    }
+
+    void shadowMap() override {
+        const uint32_t side = frame_->shadowMap->resolution;
+        shadowDepths_.clear();
+        for (uint32_t i = 0; i < side * side; ++i)
+            shadowDepths_.push_back(
+                shadowDepth(*geometry_, *frame_->light, *frame_->shadowMap, i % side, i / side));
     }
 
     bool hasGrid() const override { return true; }

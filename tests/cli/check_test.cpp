@@ -106,7 +106,8 @@ TEST(Check, ShowsADifferenceAndHowToSeeItAgain) {
                            "--traversal linear --eye 0,0,0 "),
               run.err.npos)
         << run.err;
-    EXPECT_NE(run.err.find(" --primary raster --fetch direct --ray-type default --bounces 1 "
+    EXPECT_NE(run.err.find(" --primary raster --fetch direct --visibility traced "
+                           "--ray-type default --bounces 1 "
                            "--seed 5\n"),
               run.err.npos)
         << run.err;

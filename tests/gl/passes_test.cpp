@@ -31,6 +31,11 @@ public:
             backend->beginFrame(scene, settings, need_);
         }
         EXPECT_TRUE(samePaths(gl_.readPaths(), cpu_.readPaths())) << "beginFrame";
+        if (need_.shadowMap == 0) return;
+        cpu_.shadowMap();
+        gl_.shadowMap();
+        EXPECT_TRUE(sameRecords("shadow map", gl_.readShadowMap(), cpu_.readShadowMap()));
+        gl_.writeShadowMap(cpu_.readShadowMap());
     }
 
     void sample(uint32_t index) {
@@ -44,7 +49,7 @@ public:
                 pass("Trace", [k](Backend& b) { b.trace(k); });
                 pass("Fetch", [k](Backend& b) { b.fetch(k); });
             }
-            pass("Visibility", [k](Backend& b) { b.visibility(k); });
+            if (need_.shadowRays) pass("Visibility", [k](Backend& b) { b.visibility(k); });
             pass("Shade", [k](Backend& b) { b.shade(k); });
             pass("shift", [](Backend& b) { b.shift(); });
         }
@@ -86,6 +91,7 @@ RenderSettings randomSettings(Random& random) {
     settings.bounces = 3;
     settings.primary = random.chance(0.7) ? Primary::traced : Primary::raster;
     settings.fetch = random.chance(0.6) ? Fetch::raster : Fetch::direct;
+    settings.visibility = random.chance(0.7) ? LightVisibility::traced : LightVisibility::shadowMap;
     settings.seed = (uint32_t) random.below(1000);
     return settings;
 }
@@ -147,6 +153,8 @@ TEST(GlPasses, EqualTheCpusOnSmallScenes) {
             light.target = uniformPoint(random, 1.0);
             light.conical = random.chance(0.7);
             light.exponent = random.pick({1.0f, 3.0f});
+            light.resolution = random.range(1, 50);
+            light.softShadowSize = (float) random.uniform(0.0, 0.5);
             scene.lights = {light};
         }
         BothBackends both(scene, settings, gl, pool);
@@ -160,7 +168,7 @@ TEST(GlPasses, EqualTheCpusOnMaterials) {
     GlBackend gl;
     ThreadPool pool(2);
     int index = 0;
-    for (const char* name : {"materials", "materials_ggx", "cards", "lens"}) {
+    for (const char* name : {"materials", "materials_ggx", "cards", "lens", "cards_shadow_map"}) {
         RenderSettings settings;
         settings.grid.mode = index % 2 ? ViewMode::single : ViewMode::full;
         settings.grid.width = 40;
@@ -171,7 +179,10 @@ TEST(GlPasses, EqualTheCpusOnMaterials) {
         settings.primary = std::string(name) == "cards" ? Primary::traced : Primary::raster;
         const std::string file =
             std::string(DIRT_SOURCE_DIR "/tests/golden/scenes/") + name + ".scene";
-        const Scene scene = loadScene(file, {}).scene;
+        const LoadedScene loaded = loadScene(file, {});
+        settings.visibility = loaded.settings.visibility.value_or(settings.visibility);
+        Scene scene = loaded.scene;
+        for (Spotlight& light : scene.lights) light.resolution = 100;
         BothBackends both(scene, settings, gl, pool);
         both.sample(3);
         ASSERT_FALSE(HasFailure()) << name;

@@ -30,13 +30,15 @@ void addPathPasses(std::vector<ProgramSource>& all) {
         for (bool scatters : {false, true}) all.push_back(raysSource(scatters, gloss));
         for (ViewMode mode : {ViewMode::full, ViewMode::single})
             all.push_back(shadowRaysSource(mode, gloss));
-        for (int has = 0; has < 16; ++has)
-            all.push_back(
-                shadeSource((has & 1) != 0, (has & 2) != 0, (has & 4) != 0, (has & 8) != 0, gloss));
+        for (int has = 0; has < 8; ++has)
+            for (LightShading light :
+                 {LightShading::none, LightShading::traced, LightShading::shadowMap})
+                all.push_back(
+                    shadeSource((has & 1) != 0, (has & 2) != 0, (has & 4) != 0, light, gloss));
     }
     for (const SurfaceVariant& surfaces : surfaceVariants()) {
         all.insert(all.end(), {firstPointsSource(surfaces), fetchAtEyeSource(surfaces),
-                               directVisibilitySource(surfaces)});
+                               directVisibilitySource(surfaces), shadowMapSource(surfaces)});
         for (Search search : {Search::any, Search::paths})
             all.push_back(traceSource(search, Precision::exact, 13, 24, &surfaces));
         for (bool raster : {false, true}) all.push_back(fetchSource(surfaces, raster));

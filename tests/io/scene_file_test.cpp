@@ -53,6 +53,11 @@ TEST_F(SceneXml, ReadsTracing) {
     EXPECT_EQ(scene.settings.bounces, 1);
     EXPECT_EQ(scene.settings.view, ViewMode::single);
     EXPECT_EQ(readWorld("<tracing faces='cubemap'/>").settings.view, ViewMode::full);
+    EXPECT_FALSE(readWorld("<tracing/>").settings.visibility);
+    EXPECT_EQ(readWorld("<tracing accurate_visibility='true'/>").settings.visibility,
+              LightVisibility::traced);
+    EXPECT_EQ(readWorld("<tracing accurate_visibility='off'/>").settings.visibility,
+              LightVisibility::shadowMap);
     EXPECT_EQ(error("<world>\n\n<tracing\n faces='seven'/></world>"),
               ":3: <tracing>: faces='seven' is neither cubemap nor single");
     EXPECT_EQ(errorInWorld("<tracing block_size='two'/>"),
@@ -93,6 +98,15 @@ TEST_F(SceneXml, ReadsTheLight) {
     EXPECT_EQ(scene.light->penumbra, 80.0f);
     EXPECT_EQ(scene.light->exponent, 2.0f);
     EXPECT_FALSE(scene.light->conical);
+
+    const Spotlight light = *readWorld("<light resolution='2048' near_range='0.5' far_range='20'\n"
+                                       " constant_bias='0.002' soft_shadow_size='0.1'/>")
+                                 .light;
+    EXPECT_EQ(light.resolution, 2048);
+    EXPECT_EQ(light.nearRange, 0.5f);
+    EXPECT_EQ(light.farRange, 20.0f);
+    EXPECT_EQ(light.constantBias, 0.002f);
+    EXPECT_EQ(light.softShadowSize, 0.1f);
 }
 
 TEST_F(SceneXml, LightWithoutPenumbraHasNoFalloff) {
@@ -114,6 +128,12 @@ TEST_F(SceneXml, RefusesImpossibleLights) {
               ":2: <light>: penumbra='41' is out of range");
     EXPECT_EQ(errorInWorld("<light position='1 1 1' target='1 1 1'/>"),
               ":2: <light>: position and target are the same point");
+    EXPECT_EQ(errorInWorld("<light resolution='0'/>"),
+              ":2: <light>: resolution='0' is not an integer from 1 to 16384");
+    EXPECT_EQ(errorInWorld("<light near_range='2' far_range='2'/>"),
+              ":2: <light>: far_range is not beyond near_range");
+    EXPECT_EQ(errorInWorld("<light constant_bias='-0.1'/>"),
+              ":2: <light>: constant_bias='-0.1' is out of range");
     EXPECT_EQ(errorInWorld("<light active='maybe'/>"),
               ":2: <light>: active='maybe' is neither true nor false");
 }

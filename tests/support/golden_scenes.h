@@ -31,6 +31,7 @@ inline RenderSettings goldenSettings(const LoadedScene& loaded, int samples) {
     settings.grid.height = 96;
     settings.grid.mode = loaded.settings.view.value_or(settings.grid.mode);
     settings.bounces = loaded.settings.bounces.value_or(settings.bounces);
+    settings.visibility = loaded.settings.visibility.value_or(settings.visibility);
     settings.samples = samples;
     return settings;
 }
