@@ -1,15 +1,20 @@
 // The scene and material files of the 2017 demo, as they are. Its models are not there; a triangle
 // for each material stands in.
 
+#include "backend_cpu/cpu_backend.h"
+#include "backend_cpu/thread_pool.h"
+#include "core/frame/renderer.h"
 #include "core/io/load.h"
 #include "core/io/mtl.h"
 #include "tests/io/input_error.h"
 #include "tests/io/test_scenes.h"
+#include "tests/support/small_scenes.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -107,33 +112,111 @@ TEST_F(DemoFiles, AttributesThatAreNamedAsIgnoredAreNotRead) {
     }
 }
 
-/// The files name folders and models in other letter case than they have: bunny for Bunny.
-TEST_F(DemoFiles, LoadWithEveryMaterial) {
-    for (const fs::path& file : demoFiles(".mtl")) {
-        LoadReport report;
-        const auto materials = readMtl(file, report);
-        EXPECT_FALSE(materials.empty()) << file;
-        std::string obj = "mtllib " + file.filename().string() + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
-        for (const MtlMaterial& material : materials)
-            obj += "usemtl " + material.name + "\nf 1 2 3\n";
-        const fs::path target = file.lexically_relative(demoFolder());
-        folder_.write(target.string(), test::readFile(file));
-        folder_.write((target.parent_path() / target.stem()).string() + ".OBJ", obj);
+/// The demo's files beside stand-ins for its models.
+class DemoScenes : public DemoFiles {
+protected:
+    void SetUp() override {
+        DemoFiles::SetUp();
+        if (IsSkipped()) return;
+        test::Random random(1);
+        for (const fs::path& file : demoFiles(".mtl")) {
+            LoadReport report;
+            const auto materials = readMtl(file, report);
+            EXPECT_FALSE(materials.empty()) << file;
+            std::string obj = "mtllib " + file.filename().string() + "\n";
+            for (const MtlMaterial& material : materials)
+                obj += "usemtl " + material.name + "\n" +
+                       faces(random, reachOf(file.parent_path().filename()));
+            const fs::path target = file.lexically_relative(demoFolder());
+            folder_.write(target.string(), test::readFile(file));
+            folder_.write((target.parent_path() / target.stem()).string() + ".OBJ", obj);
+        }
     }
 
+    static constexpr size_t kFaces = 8; ///< of each material
+
+    /// How far the models of a folder go, about.
+    static double reachOf(const fs::path& folder) {
+        return folder == "Bunny" ? 150.0 : folder == "Temples" ? 120.0 : 25.0;
+    }
+
+    /// Triangles anywhere around the origin.
+    static std::string faces(test::Random& random, double reach) {
+        std::string text;
+        for (size_t i = 0; i < kFaces; ++i) {
+            const glm::vec3 centre = test::uniformPoint(random, reach);
+            for (int corner = 0; corner < 3; ++corner) {
+                const glm::vec3 p = centre + test::uniformPoint(random, 0.3 * reach);
+                text += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " +
+                        std::to_string(p.z) + "\n";
+            }
+            text += "f -3 -2 -1\n";
+        }
+        return text;
+    }
+
+    /// Copies a scene file beside the stand-ins. Where the templates ask for objects, one is put.
+    std::string copy(const fs::path& file) {
+        std::string text = test::readFile(file);
+        std::erase(text, '\r');
+        if (isTemplate(file)) {
+            const size_t at = text.find("<!-- \n\tModify user parameters");
+            EXPECT_NE(at, text.npos) << file;
+            text.insert(at, "<transformation scale='0.01 0.01 0.01'><object "
+                            "file='Bunny/mobilo.obj'/></transformation>\n");
+        }
+        return folder_.write(file.filename().string(), text);
+    }
+
+    static bool isTemplate(const fs::path& file) {
+        return file.filename().string().rfind("template", 0) == 0;
+    }
+};
+
+/// The files name folders and models in other letter case than they have: bunny for Bunny.
+TEST_F(DemoScenes, LoadWithEveryMaterial) {
     for (const fs::path& file : demoFiles(".scene")) {
         SCOPED_TRACE(file);
-        const std::string name = file.filename().string();
-        const std::string copy = folder_.write(name, test::readFile(file));
-        if (name.rfind("template", 0) == 0) {
-            EXPECT_EQ(inputError([&] { loadScene(copy); }), copy + ": holds no triangles");
-            continue;
+        if (isTemplate(file)) {
+            const std::string bare = folder_.write("bare.scene", test::readFile(file));
+            EXPECT_EQ(inputError([&] { loadScene(bare); }), bare + ": holds no triangles");
         }
-        const LoadedScene loaded = loadScene(copy);
+        const LoadedScene loaded = loadScene(copy(file));
         EXPECT_GT(loaded.scene.mesh.triangles.size(), 0u);
-        EXPECT_EQ(loaded.scene.materials.size(), loaded.scene.mesh.triangles.size());
+        EXPECT_EQ(loaded.scene.materials.size() * kFaces, loaded.scene.mesh.triangles.size());
         for (const Warning& warning : loaded.warnings)
             EXPECT_EQ(warning.kind, WarningKind::unusableTexture) << warning.text;
+    }
+}
+
+/// With the files' own settings, but for the size of the image.
+TEST_F(DemoScenes, RenderAsTheyAre) {
+    ThreadPool pool(2);
+    CpuBackend backend(pool);
+    for (const fs::path& file : demoFiles(".scene")) {
+        SCOPED_TRACE(file);
+        const LoadedScene loaded = loadScene(copy(file));
+        EXPECT_EQ(loaded.settings.visibility, LightVisibility::shadowMap);
+        RenderSettings settings;
+        settings.grid.width = 24;
+        settings.grid.height = 16;
+        settings.samples = 1;
+        settings.grid.mode = *loaded.settings.view;
+        settings.grid.tile = *loaded.settings.tile;
+        settings.grid.bins = *loaded.settings.bins;
+        settings.bounces = *loaded.settings.bounces;
+        settings.visibility = *loaded.settings.visibility;
+        const RenderResult result = Renderer(loaded.scene, settings, backend).render();
+        EXPECT_EQ(result.samples, 1);
+        const size_t side = (size_t) loaded.scene.lights.front().resolution;
+        EXPECT_EQ(backend.readShadowMap().size(), side * side);
+        size_t lit = 0;
+        for (const glm::vec3& pixel : result.image.pixels) {
+            for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isfinite(pixel[c]) && pixel[c] >= 0.0f);
+            lit += pixel != glm::vec3(0.0f);
+        }
+        EXPECT_GE(lit, 5u);
+        EXPECT_GE(result.counts.hits, 5u);
     }
 }
 
