@@ -19,6 +19,12 @@
 namespace dirt::test {
 namespace {
 
+/// One for all tests, as each compiles its programs anew.
+GlBackend& sharedBackend() {
+    static GlBackend backend;
+    return backend;
+}
+
 /// Runs the passes of samples on both backends, each pass of both on what the CPU had before it.
 class BothBackends {
 public:
@@ -119,7 +125,6 @@ Scene texturedRoom(Random& random) {
 }
 
 TEST(GlPasses, EqualTheCpusOnATexturedRoom) {
-    GlBackend gl;
     ThreadPool pool(2);
     Random random(4);
     for (const ViewMode mode : {ViewMode::full, ViewMode::single}) {
@@ -128,9 +133,11 @@ TEST(GlPasses, EqualTheCpusOnATexturedRoom) {
         settings.grid.width = 53;
         settings.grid.height = 31;
         settings.fetch = mode == ViewMode::full ? Fetch::raster : Fetch::direct;
+        settings.grid.traversal =
+            mode == ViewMode::full ? Traversal::linear : Traversal::hierarchical;
         settings.primary = mode == ViewMode::full ? Primary::traced : Primary::raster;
         const Scene scene = texturedRoom(random);
-        BothBackends both(scene, settings, gl, pool);
+        BothBackends both(scene, settings, sharedBackend(), pool);
         both.sample(0);
         both.sample(5);
         ASSERT_FALSE(HasFailure()) << "mode " << (int) mode;
@@ -139,10 +146,9 @@ TEST(GlPasses, EqualTheCpusOnATexturedRoom) {
 }
 
 TEST(GlPasses, EqualTheCpusOnSmallScenes) {
-    GlBackend gl;
     ThreadPool pool(2);
     Random random(3);
-    for (int i = 0; i < cases(6, 600); ++i) {
+    for (int i = 0; i < cases(4, 600); ++i) {
         const RenderSettings settings = randomSettings(random);
         const ViewSet set(settings.grid, Camera{});
         Scene scene = sceneOf(smallScene(random, set));
@@ -157,7 +163,7 @@ TEST(GlPasses, EqualTheCpusOnSmallScenes) {
             light.softShadowSize = (float) random.uniform(0.0, 0.5);
             scene.lights = {light};
         }
-        BothBackends both(scene, settings, gl, pool);
+        BothBackends both(scene, settings, sharedBackend(), pool);
         both.sample((uint32_t) i);
         ASSERT_FALSE(HasFailure()) << "case " << i << ", " << describe(set);
     }
@@ -165,7 +171,6 @@ TEST(GlPasses, EqualTheCpusOnSmallScenes) {
 
 /// Microfacets of all models, bumps, cut-outs, emission from textures, a lens, roulette.
 TEST(GlPasses, EqualTheCpusOnMaterials) {
-    GlBackend gl;
     ThreadPool pool(2);
     int index = 0;
     for (const char* name : {"materials", "materials_ggx", "cards", "lens", "cards_shadow_map"}) {
@@ -183,7 +188,7 @@ TEST(GlPasses, EqualTheCpusOnMaterials) {
         settings.visibility = loaded.settings.visibility.value_or(settings.visibility);
         Scene scene = loaded.scene;
         for (Spotlight& light : scene.lights) light.resolution = 100;
-        BothBackends both(scene, settings, gl, pool);
+        BothBackends both(scene, settings, sharedBackend(), pool);
         both.sample(3);
         ASSERT_FALSE(HasFailure()) << name;
         EXPECT_GT(both.hits, 100u) << name;
@@ -193,7 +198,6 @@ TEST(GlPasses, EqualTheCpusOnMaterials) {
 
 /// What no frame leaves behind: dead paths with rays, rays that are no numbers.
 TEST(GlPasses, EqualTheCpusOnOddPaths) {
-    GlBackend gl;
     ThreadPool pool(2);
     RenderSettings settings;
     settings.grid.width = 16;
@@ -201,6 +205,7 @@ TEST(GlPasses, EqualTheCpusOnOddPaths) {
     const Scene scene = room();
     const Requirements need = requirementsOf(scene, settings, true);
     CpuBackend cpu(pool);
+    GlBackend& gl = sharedBackend();
     for (Backend* backend : {(Backend*) &cpu, (Backend*) &gl}) {
         backend->build(scene.mesh, scene.camera, settings.grid);
         backend->beginFrame(scene, settings, need);

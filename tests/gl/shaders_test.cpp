@@ -2,6 +2,7 @@
 // than in their own ways.
 
 #include "backend_gl/programs.h"
+#include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -12,12 +13,14 @@
 namespace dirt::test {
 namespace {
 
-/// What a scene may have of normals, textures, heights and holes; texels in one piece or two.
+/// What a scene may have of normals, textures, heights and holes; texels in one piece or two. In
+/// the suite each of them with and without the others, if not with each.
 std::vector<SurfaceVariant> surfaceVariants() {
     std::vector<SurfaceVariant> variants;
     for (bool normals : {false, true})
         for (int pieces : {0, 1, 2}) // none: no textures
-            variants.push_back({normals, pieces > 0, pieces > 1, pieces == 1, pieces, 27});
+            if (fullTests() || normals == (pieces > 0))
+                variants.push_back({normals, pieces > 0, pieces > 1, pieces == 1, pieces, 27});
     return variants;
 }
 
@@ -30,7 +33,8 @@ void addPathPasses(std::vector<ProgramSource>& all) {
         for (bool scatters : {false, true}) all.push_back(raysSource(scatters, gloss));
         for (ViewMode mode : {ViewMode::full, ViewMode::single})
             all.push_back(shadowRaysSource(mode, gloss));
-        for (int has = 0; has < 8; ++has)
+        for (int has : fullTests() ? std::vector{0, 1, 2, 3, 4, 5, 6, 7}
+                                   : std::vector{0, 3, 5, 6}) // each pair of them
             for (LightShading light :
                  {LightShading::none, LightShading::traced, LightShading::shadowMap})
                 all.push_back(
@@ -55,13 +59,15 @@ std::vector<ProgramSource> allPrograms() {
     for (Search search : {Search::nearest, Search::any, Search::paths})
         for (Precision precision : {Precision::exact, Precision::fast})
             for (int segments : {1, kMostSegments})
-                all.push_back(traceSource(search, precision, segments, 24));
+                if (fullTests() || (precision == Precision::exact) == (segments == 1))
+                    all.push_back(traceSource(search, precision, segments, 24));
     addPathPasses(all);
     for (ViewMode mode : {ViewMode::full, ViewMode::single})
         for (Proposal proposal : {Proposal::rectangles, Proposal::triangles}) {
             all.push_back(fillDepthSource(mode, proposal));
             for (int segments : {1, 2, 7, 8, kMostSegments})
-                all.push_back(fillPrimitivesSource(mode, proposal, segments, 24));
+                if (fullTests() || segments == 1 || mode == ViewMode::full)
+                    all.push_back(fillPrimitivesSource(mode, proposal, segments, 24));
         }
     return all;
 }

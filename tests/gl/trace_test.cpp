@@ -51,7 +51,7 @@ TEST(GlTrace, EqualsTheDefinition) {
     GlBackend gl;
     const FlushDenormals flush; // as every worker of the CPU does
     Random random(11);
-    for (int round = 0; round < cases(9, 1000); ++round) {
+    for (int round = 0; round < cases(6, 1000); ++round) {
         const ViewSet set = randomViews(random, round % 3 ? ViewMode::full : ViewMode::single);
         FrameGeometry geometry;
         geometry.frame.mode = set.settings.mode;
