@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,9 +35,16 @@ const OIIO::ImageSpec kConfig = [] {
     return config;
 }();
 
-/// A file opened as an image that is not absurd.
-struct OpenImage {
-    explicit OpenImage(const ImageFile& file) : name(file.name) {
+template <typename Channel>
+const OIIO::TypeDesc kType = OIIO::TypeDesc::UINT8;
+template <>
+const OIIO::TypeDesc kType<float> = OIIO::TypeDesc::FLOAT;
+
+} // namespace
+
+/// A file opened as an image that is not absurd, and its texels when they are first asked for.
+struct DecodedImage::Pixels {
+    explicit Pixels(const ImageFile& file) : name(file.name) {
         bytes = file.bytes ? *file.bytes : readBytes(name);
         if (isPng(bytes)) {
             bytes = essentialPng(bytes, name);
@@ -52,10 +60,11 @@ struct OpenImage {
         spec = input->spec();
         if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 || spec.deep)
             failAt(name, 0, "not a flat image");
-        if ((int64_t) spec.width * spec.height > kMaxTexels)
+        const int64_t texels = (int64_t) spec.width * spec.height;
+        if (texels > kMaxTexels || texels * spec.nchannels > 4 * kMaxTexels)
             failAt(name, 0,
                    "an image of " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
-                       " is too large");
+                       (texels > kMaxTexels ? "" : " with as many channels") + " is too large");
     }
 
     void openBytes(const char* format) {
@@ -67,67 +76,84 @@ struct OpenImage {
             failAt(name, 0, "no readable image: " + printable(input->geterror()));
     }
 
-    /// Channels \p first to \p end - 1 of every texel.
+    /// All channels of every texel.
     template <typename Channel>
-    std::vector<Channel> channels(int first, int end, OIIO::TypeDesc type) const {
-        const size_t texels = (size_t) spec.width * (size_t) spec.height;
-        std::vector<Channel> read(texels * (size_t) (end - first));
-        if (!input->read_image(0, 0, first, end, type, read.data()))
+    const std::vector<Channel>& all() {
+        std::vector<Channel>& texels = std::get<std::vector<Channel>>(decoded);
+        if (!texels.empty()) return texels;
+        std::vector<Channel> read((size_t) spec.width * (size_t) spec.height *
+                                  (size_t) spec.nchannels);
+        if (!input->read_image(0, 0, 0, spec.nchannels, kType<Channel>, read.data()))
             failAt(name, 0, "damaged image: " + printable(input->geterror()));
-        return read;
+        return texels = std::move(read);
     }
 
     /// Three channels of every texel.
     template <typename Channel>
-    std::vector<Channel> colours(OIIO::TypeDesc type) const {
-        if (spec.nchannels >= 3) return channels<Channel>(0, 3, type);
-        const auto read = channels<Channel>(0, 1, type);
-        std::vector<Channel> grey(read.size() * 3);
-        for (size_t i = 0; i < grey.size(); ++i) grey[i] = read[i / 3];
-        return grey;
+    std::vector<Channel> colours() {
+        const std::vector<Channel>& from = all<Channel>();
+        const auto channels = (size_t) spec.nchannels;
+        if (channels == 3) return from;
+        const size_t step = channels >= 3 ? 1 : 0;
+        std::vector<Channel> texels(from.size() / channels * 3);
+        for (size_t i = 0, at = 0; i < texels.size(); i += 3, at += channels)
+            for (size_t c = 0; c < 3; ++c) texels[i + c] = from[at + c * step];
+        return texels;
     }
 
-    ScalarTexture scalars(int channel) const {
+    template <typename Channel>
+    std::vector<Channel> one(int channel) {
+        const std::vector<Channel>& from = all<Channel>();
+        if (spec.nchannels == 1) return from;
+        std::vector<Channel> texels(from.size() / (size_t) spec.nchannels);
+        for (size_t i = 0; i < texels.size(); ++i)
+            texels[i] = from[i * (size_t) spec.nchannels + (size_t) channel];
+        return texels;
+    }
+
+    ScalarTexture scalars(int channel) {
         if (spec.format == OIIO::TypeDesc::UINT8)
-            return ScalarTexture(name.string(), spec.width, spec.height,
-                                 channels<uint8_t>(channel, channel + 1, OIIO::TypeDesc::UINT8));
-        auto texels = channels<float>(channel, channel + 1, OIIO::TypeDesc::FLOAT);
+            return ScalarTexture(name.string(), spec.width, spec.height, one<uint8_t>(channel));
+        auto texels = one<float>(channel);
         for (const float value : texels)
             if (!(std::abs(value) <= FLT_MAX))
                 failAt(name, 0, "damaged image: a texel is not finite");
         return ScalarTexture(name.string(), spec.width, spec.height, std::move(texels));
     }
 
-    const std::filesystem::path& name;
+    std::filesystem::path name;
     std::string bytes;
     std::optional<OIIO::Filesystem::IOMemReader> memory; ///< of bytes
     std::unique_ptr<OIIO::ImageInput> input;             ///< reads from memory, or the file
     OIIO::ImageSpec spec;
+    std::tuple<std::vector<uint8_t>, std::vector<float>> decoded;
 };
 
-} // namespace
+DecodedImage::DecodedImage(const ImageFile& file) : pixels_(std::make_unique<Pixels>(file)) {}
 
-Texture readTexture(const ImageFile& file) {
-    const OpenImage image(file);
-    const std::string name = file.name.string();
-    const int width = image.spec.width, height = image.spec.height;
-    if (!isFloat(image.spec.format))
-        return Texture(name, width, height, image.colours<uint8_t>(OIIO::TypeDesc::UINT8));
-    auto texels = image.colours<float>(OIIO::TypeDesc::FLOAT);
+DecodedImage::~DecodedImage() = default;
+
+Texture readTexture(const DecodedImage& image) {
+    DecodedImage::Pixels& pixels = image.pixels();
+    const std::string name = pixels.name.string();
+    const int width = pixels.spec.width, height = pixels.spec.height;
+    if (!isFloat(pixels.spec.format))
+        return Texture(name, width, height, pixels.colours<uint8_t>());
+    auto texels = pixels.colours<float>();
     for (const float value : texels)
         if (!(value >= 0.0f && value <= FLT_MAX))
-            failAt(file.name, 0, "damaged image: a texel is negative or not finite");
+            failAt(pixels.name, 0, "damaged image: a texel is negative or not finite");
     return Texture(name, width, height, std::move(texels));
 }
 
-ScalarTexture readScalarTexture(const ImageFile& file) {
-    return OpenImage(file).scalars(0);
+ScalarTexture readScalarTexture(const DecodedImage& image) {
+    return image.pixels().scalars(0);
 }
 
-std::optional<ScalarTexture> readAlpha(const ImageFile& file, float limit) {
-    const OpenImage image(file);
-    if (image.spec.alpha_channel < 0) return {};
-    ScalarTexture alpha = image.scalars(image.spec.alpha_channel);
+std::optional<ScalarTexture> readAlpha(const DecodedImage& image, float limit) {
+    DecodedImage::Pixels& pixels = image.pixels();
+    if (pixels.spec.alpha_channel < 0) return {};
+    ScalarTexture alpha = pixels.scalars(pixels.spec.alpha_channel);
     bool cut = false, left = false;
     for (int y = 0; y < alpha.height(); ++y)
         for (int x = 0; x < alpha.width(); ++x) (alpha.texel(x, y) < limit ? cut : left) = true;
@@ -135,9 +161,8 @@ std::optional<ScalarTexture> readAlpha(const ImageFile& file, float limit) {
     return alpha;
 }
 
-glm::vec3 readMeans(const ImageFile& file) {
-    const OpenImage image(file);
-    const auto texels = image.colours<float>(OIIO::TypeDesc::FLOAT);
+glm::vec3 readMeans(const DecodedImage& image) {
+    const auto texels = image.pixels().colours<float>();
     double sums[3] = {};
     for (size_t i = 0; i < texels.size(); ++i) sums[i % 3] += texels[i];
     const double count = (double) (texels.size() / 3);

@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,21 +26,34 @@ struct ImageFile {
     std::optional<std::string> bytes; ///< none: those of the file
 };
 
-/// Reads an image as a colour texture: integer formats as sRGB with 8 bits, float formats as they
-/// are. One channel is grey; alpha is dropped and does not scale the colour. Throws InputError
-/// ("file: what is wrong") where the file is damaged, absurdly large or no image, or where a float
-/// texel is negative or not finite.
-Texture readTexture(const ImageFile& file);
+/// An image that is decoded once, whatever is then read of it. Its constructor and what reads it
+/// throw InputError ("file: what is wrong") where the file is damaged, absurdly large or no image.
+class DecodedImage {
+public:
+    explicit DecodedImage(const ImageFile& file);
+    ~DecodedImage();
 
-/// Reads an image as data: its first channel, 8-bit formats as 0 to 1, others as floats. Throws
+    struct Pixels;
+    Pixels& pixels() const { return *pixels_; }
+
+private:
+    std::unique_ptr<Pixels> pixels_;
+};
+
+/// An image as a colour texture: integer formats as sRGB with 8 bits, float formats as they are.
+/// One channel is grey; alpha is dropped and does not scale the colour. Throws InputError where a
+/// float texel is negative or not finite, too.
+Texture readTexture(const DecodedImage& image);
+
+/// An image as data: its first channel, 8-bit formats as 0 to 1, others as floats. Throws
 /// InputError as readTexture does; a float texel may be negative.
-ScalarTexture readScalarTexture(const ImageFile& file);
+ScalarTexture readScalarTexture(const DecodedImage& image);
 
 /// An image's alpha, if it has any that cuts out a part of the image and leaves one: texels below
-/// \p limit and others. Throws InputError as readTexture does.
-std::optional<ScalarTexture> readAlpha(const ImageFile& file, float limit = 0.5f);
+/// \p limit and others.
+std::optional<ScalarTexture> readAlpha(const DecodedImage& image, float limit = 0.5f);
 
-/// The means of an image's first three channels, as data. Throws InputError as readTexture does.
-glm::vec3 readMeans(const ImageFile& file);
+/// The means of an image's first three channels, as data.
+glm::vec3 readMeans(const DecodedImage& image);
 
 } // namespace dirt

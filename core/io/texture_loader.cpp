@@ -19,19 +19,44 @@ std::string exactText(float value) {
 
 void TextureLoader::readAhead(const TextureLoader& announced, Executor& executor,
                               const LoadProgress& progress) {
-    const std::vector<Announced>& list = announced.announced_;
-    std::vector<Result> results(list.size());
-    readAll(list.size(), executor, progress,
-            [&](size_t i) { results[i] = read(list[i].image, list[i].read); });
-    for (size_t i = 0; i < list.size(); ++i) ahead_[list[i].key] = std::move(results[i]);
+    struct Image {
+        ImageFile file;
+        std::vector<Key> keys;
+        std::vector<Read> reads;
+        std::vector<Result> results;
+    };
+    std::vector<Image> images;
+    std::map<std::string, size_t> places;
+    for (const Announced& part : announced.announced_) {
+        const auto [place, isNew] = places.try_emplace(part.key.first, images.size());
+        if (isNew) images.push_back({part.image, {}, {}, {}});
+        images[place->second].keys.push_back(part.key);
+        images[place->second].reads.push_back(part.read);
+    }
+    readAll(images.size(), executor, progress,
+            [&](size_t i) { images[i].results = read(images[i].file, images[i].reads); });
+    for (Image& image : images)
+        for (size_t i = 0; i < image.keys.size(); ++i)
+            ahead_[image.keys[i]] = std::move(image.results[i]);
 }
 
-TextureLoader::Result TextureLoader::read(const ImageFile& image, const Read& read) {
+/// What each of \p reads gets of the image, which is decoded once.
+std::vector<TextureLoader::Result> TextureLoader::read(const ImageFile& file,
+                                                       std::span<const Read> reads) {
+    std::vector<Result> results(reads.size());
     try {
-        return read(image);
+        const DecodedImage image(file);
+        for (size_t i = 0; i < reads.size(); ++i) {
+            try {
+                results[i] = reads[i](image);
+            } catch (const InputError& error) {
+                results[i] = std::string(error.what());
+            }
+        }
     } catch (const InputError& error) {
-        return std::string(error.what());
+        results.assign(reads.size(), std::string(error.what()));
     }
+    return results;
 }
 
 template <typename T>
@@ -53,7 +78,8 @@ uint32_t TextureLoader::load(const Source& source, const std::string& what,
         return kNoTexture;
     }
     const auto ahead = ahead_.extract(key);
-    Result result = ahead ? std::move(ahead.mapped()) : this->read(*source.image, read);
+    Result result =
+        ahead ? std::move(ahead.mapped()) : std::move(this->read(*source.image, {&read, 1})[0]);
     if (const auto* error = std::get_if<std::string>(&result))
         report_.warn(WarningKind::unusableTexture, source.namedBy, source.line,
                      name + ": " + *error);
@@ -67,20 +93,20 @@ uint32_t TextureLoader::load(const Source& source, const std::string& what,
 uint32_t TextureLoader::colour(const Source& source, glm::vec3 factor) {
     if (factor == glm::vec3(1.0f))
         return load(source, "colour", scene_.textures,
-                    [](const ImageFile& image) { return readTexture(image); });
+                    [](const DecodedImage& image) { return readTexture(image); });
     return load(source, "colour" + exactText(factor.x) + exactText(factor.y) + exactText(factor.z),
                 scene_.textures,
-                [factor](const ImageFile& image) { return readTexture(image).times(factor); });
+                [factor](const DecodedImage& image) { return readTexture(image).times(factor); });
 }
 
 uint32_t TextureLoader::data(const Source& source) {
     return load(source, "data", scene_.scalarTextures,
-                [](const ImageFile& image) { return readScalarTexture(image); });
+                [](const DecodedImage& image) { return readScalarTexture(image); });
 }
 
 uint32_t TextureLoader::alpha(const Source& source, float limit) {
     return load(source, "alpha" + exactText(limit), scene_.scalarTextures,
-                [limit](const ImageFile& image) -> Result {
+                [limit](const DecodedImage& image) -> Result {
                     auto alpha = readAlpha(image, limit);
                     if (!alpha) return {};
                     return std::move(*alpha);
@@ -89,7 +115,7 @@ uint32_t TextureLoader::alpha(const Source& source, float limit) {
 
 std::optional<glm::vec3> TextureLoader::means(const Source& source) {
     const uint32_t place =
-        load(source, "means", means_, [](const ImageFile& image) { return readMeans(image); });
+        load(source, "means", means_, [](const DecodedImage& image) { return readMeans(image); });
     if (place == kNoTexture) return std::nullopt;
     return means_[place];
 }

@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -36,7 +37,7 @@ public:
     /// From now on textures are only taken note of, without warnings, and every answer is that
     /// there is none.
     void announce() { announcing_ = true; }
-    /// Reads what another loader has taken note of, on threads.
+    /// Reads what another loader has taken note of, on threads; each image once.
     void readAhead(const TextureLoader& announced, Executor& executor,
                    const LoadProgress& progress);
 
@@ -52,7 +53,7 @@ public:
 private:
     /// Nothing: the image has no such part. A text: why it could not be read.
     using Result = std::variant<std::monostate, Texture, ScalarTexture, glm::vec3, std::string>;
-    using Read = std::function<Result(const ImageFile&)>;
+    using Read = std::function<Result(const DecodedImage&)>;
 
     using Key = std::pair<std::string, std::string>;
     struct Announced {
@@ -61,7 +62,7 @@ private:
         Read read;
     };
 
-    static Result read(const ImageFile& image, const Read& read);
+    static std::vector<Result> read(const ImageFile& image, std::span<const Read> reads);
     template <typename T>
     uint32_t load(const Source& source, const std::string& what, std::vector<T>& textures,
                   const Read& read);

@@ -22,6 +22,7 @@ std::filesystem::path writeImage(const std::filesystem::path& file, int channels
                                  OIIO::TypeDesc format, const std::vector<float>& values) {
     OIIO::ImageSpec spec((int) values.size() / channels, 1, channels, format);
     spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (channels % 2 == 0) spec.alpha_channel = channels - 1;
     const auto output = OIIO::ImageOutput::create(file.string());
     EXPECT_TRUE(output && output->open(file.string(), spec) &&
                 output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close())
@@ -33,8 +34,8 @@ constexpr auto kByte = OIIO::TypeDesc::UINT8;
 
 TEST(TextureFile, ReadsColour) {
     const test::TemporaryFolder folder;
-    const Texture t = readTexture(
-        writeImage(folder.path() / "a.png", 3, kByte, {1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f}));
+    const Texture t = readTexture(DecodedImage(
+        writeImage(folder.path() / "a.png", 3, kByte, {1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f})));
     EXPECT_EQ(t.width(), 2);
     EXPECT_EQ(t.height(), 1);
     EXPECT_EQ(t.bytes(), 6u);
@@ -45,31 +46,61 @@ TEST(TextureFile, ReadsColour) {
 
 TEST(TextureFile, MakesGreyOfOneChannel) {
     const test::TemporaryFolder folder;
-    const Texture t = readTexture(writeImage(folder.path() / "a.png", 1, kByte, {1.0f}));
+    const Texture t =
+        readTexture(DecodedImage(writeImage(folder.path() / "a.png", 1, kByte, {1.0f})));
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(1));
-    const Texture alpha = readTexture(writeImage(folder.path() / "b.png", 2, kByte, {1.0f, 0.0f}));
+    const Texture alpha =
+        readTexture(DecodedImage(writeImage(folder.path() / "b.png", 2, kByte, {1.0f, 0.0f})));
     EXPECT_EQ(alpha.sample({0, 0}), glm::vec3(1));
+}
+
+/// Colour, alpha and data of one decoded image are those of images decoded for each.
+TEST(TextureFile, ReadsSeveralThingsOfOneImage) {
+    const test::TemporaryFolder folder;
+    for (const auto format : {OIIO::TypeDesc::UINT8, OIIO::TypeDesc::UINT16, OIIO::TypeDesc::FLOAT})
+        for (const int channels : {2, 4}) {
+            std::vector<float> values;
+            for (int i = 0; i < 6 * channels; ++i) values.push_back((float) (i % 7) / 6.0f);
+            const char* name = format == OIIO::TypeDesc::FLOAT ? "a.tif" : "a.png";
+            const auto file = writeImage(folder.path() / name, channels, format, values);
+            const DecodedImage image{file};
+            const auto alpha = readAlpha(image);
+            const Texture colour = readTexture(image);
+            const ScalarTexture data = readScalarTexture(image);
+            EXPECT_EQ(readMeans(image), readMeans(DecodedImage(file)));
+            const auto alone = readAlpha(DecodedImage(file));
+            ASSERT_TRUE(alpha && alone);
+            const Texture same = readTexture(DecodedImage(file));
+            for (int x = 0; x < 6; ++x) {
+                const size_t at = (size_t) (x * channels);
+                EXPECT_EQ(alpha->texel(x, 0), alone->texel(x, 0));
+                EXPECT_NEAR(alpha->texel(x, 0), values[at + (size_t) channels - 1], 1.0f / 255.0f);
+                EXPECT_NEAR(data.texel(x, 0), values[at], 1.0f / 255.0f);
+                const glm::vec2 middle{((float) x + 0.5f) / 6.0f, 0.5f};
+                EXPECT_EQ(colour.sample(middle), same.sample(middle));
+            }
+        }
 }
 
 TEST(TextureFile, DoesNotMultiplyByAlpha) {
     const test::TemporaryFolder folder;
-    const Texture t =
-        readTexture(writeImage(folder.path() / "a.png", 4, kByte, {1.0f, 1.0f, 0.0f, 0.0f}));
+    const Texture t = readTexture(
+        DecodedImage(writeImage(folder.path() / "a.png", 4, kByte, {1.0f, 1.0f, 0.0f, 0.0f})));
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(1, 1, 0));
 }
 
 TEST(TextureFile, ReadsDeepIntegersAsSrgbToo) {
     const test::TemporaryFolder folder;
-    const Texture t = readTexture(
-        writeImage(folder.path() / "a.png", 3, OIIO::TypeDesc::UINT16, {1.0f, 0.0f, 1.0f}));
+    const Texture t = readTexture(DecodedImage(
+        writeImage(folder.path() / "a.png", 3, OIIO::TypeDesc::UINT16, {1.0f, 0.0f, 1.0f})));
     EXPECT_EQ(t.bytes(), 3u);
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(1, 0, 1));
 }
 
 TEST(TextureFile, ReadsFloatsAsTheyAre) {
     const test::TemporaryFolder folder;
-    const Texture t = readTexture(
-        writeImage(folder.path() / "a.exr", 3, OIIO::TypeDesc::HALF, {0.5f, 0.25f, 100.0f}));
+    const Texture t = readTexture(DecodedImage(
+        writeImage(folder.path() / "a.exr", 3, OIIO::TypeDesc::HALF, {0.5f, 0.25f, 100.0f})));
     EXPECT_EQ(t.bytes(), 12u);
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(0.5f, 0.25f, 100.0f));
 }
@@ -79,7 +110,7 @@ TEST(TextureFile, RefusesFloatsThatAreNoColour) {
     for (const float bad : {-1.0f, std::nanf(""), std::numeric_limits<float>::infinity()}) {
         const auto file =
             writeImage(folder.path() / "a.exr", 3, OIIO::TypeDesc::FLOAT, {bad, 0.0f, 0.0f});
-        EXPECT_EQ(inputError([&] { readTexture(file); }),
+        EXPECT_EQ(inputError([&] { readTexture(DecodedImage(file)); }),
                   file.string() + ": damaged image: a texel is negative or not finite");
     }
 }
@@ -89,7 +120,7 @@ TEST(TextureFile, RefusesWhatIsNoImage) {
     for (const std::string& file :
          {folder.write("text.png", "this is no image\n"), folder.write("empty.jpg", ""),
           folder / "none.png", folder.write("unknown.xyz", "?"), folder.path().string()}) {
-        const std::string what = inputError([&] { readTexture(file); });
+        const std::string what = inputError([&] { readTexture(DecodedImage(file)); });
         EXPECT_EQ(what.rfind(file + ": ", 0), 0u) << what;
         EXPECT_EQ(what.find('\n'), std::string::npos) << what;
     }
@@ -98,7 +129,7 @@ TEST(TextureFile, RefusesWhatIsNoImage) {
 TEST(TextureFile, TakesPngsUnderAnyName) {
     const test::TemporaryFolder folder;
     const auto png = writeImage(folder.path() / "a.png", 3, kByte, {1.0f, 0.0f, 1.0f});
-    EXPECT_EQ(readTexture(folder.write("b.jpg", test::readFile(png))).sample({0, 0}),
+    EXPECT_EQ(readTexture(DecodedImage(folder.write("b.jpg", test::readFile(png)))).sample({0, 0}),
               glm::vec3(1, 0, 1));
 }
 
@@ -108,7 +139,7 @@ TEST(TextureFile, NamesWhatIsWrongWithAPng) {
         writeImage(folder.path() / "a.png", 3, kByte, std::vector<float>(300, 0.5f)));
     const auto errorOf = [&](const std::string& content) {
         const std::string file = folder.write("b.png", content);
-        const std::string what = inputError([&] { readTexture(file); });
+        const std::string what = inputError([&] { readTexture(DecodedImage(file)); });
         return what.empty() ? what : what.substr(file.size());
     };
     EXPECT_EQ(errorOf(bytes), "");
@@ -147,7 +178,7 @@ TEST_P(DamagedTexture, EndsInOneLine) {
                 damaged[(size_t) random.below((int) bytes.size())] = (char) random.below(256);
         const std::string file = folder.write("damaged." + extension, damaged);
         test::CapturedStream err(stderr);
-        const std::string what = inputError([&] { readTexture(file); });
+        const std::string what = inputError([&] { readTexture(DecodedImage(file)); });
         EXPECT_EQ(err.text(), "") << i;
         EXPECT_TRUE(what.empty() || what.rfind(file + ": ", 0) == 0) << what;
         EXPECT_EQ(what.find('\n'), std::string::npos) << what;
