@@ -9,12 +9,12 @@
 #endif
 
 #include "backend_cpu/leaf_boxes.h"
-#include "backend_cpu/simd_mask-inl.h"
+#include "backend_cpu/leaves.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <hwy/highway.h>
@@ -62,9 +62,14 @@ struct alignas(32) LeafItem {
 
 class LeafItems {
 public:
-    /// Room for \p count items. Keeps its memory.
-    void reserve(size_t count) {
-        if (items_.size() < count) items_.resize(count);
+    /// Empty, with room for \p count items. Keeps its memory.
+    void clear(size_t count) {
+        if (items_.size() >= count) return;
+        items_.resize(count);
+        middles_.resize(4 * (count + kPadding));
+        codes_.resize(count + kPadding);
+        keys_.resize(count);
+        moved_.resize(count);
     }
 
     const LeafItem& operator[](uint32_t i) const { return items_[i]; }
@@ -83,128 +88,121 @@ public:
             if (id + 1 == triangles.size())
                 at = static_cast<const float*>(std::memcpy(copy, at, sizeof(Triangle)));
             const Quad a = Quad::load(at), b = Quad::load(at + 3), c = Quad::load(at + 6);
-            const Quad low = min(min(a, b), c), high = max(max(a, b), c);
+            const Quad least = min(min(a, b), c), most = max(max(a, b), c);
+            const Quad low = min(max(cellLow, least), most), high = max(min(cellHigh, most), least);
+            (low + high).store(&middles_[4 * count]);
             LeafItem& item = items_[count++];
-            min(max(cellLow, low), high).store(item.low);
-            max(min(cellHigh, high), low).store(item.high);
+            low.store(item.low);
+            high.store(item.high);
             item.id = id;
         }
         return count;
     }
 
-    /// The box around items [begin, end).
-    LeafBox box(uint32_t begin, uint32_t end) const {
-        Quad low = Quad::load(items_[begin].low), high = Quad::load(items_[begin].high);
-        for (uint32_t i = begin + 1; i < end; ++i) {
-            low = min(low, Quad::load(items_[i].low));
-            high = max(high, Quad::load(items_[i].high));
+    /// Items [first, first + count) in an order in which neighbours are near each other: that of a
+    /// space-filling curve (Hilbert's, by Skilling, "Programming the Hilbert curve", 2004) through
+    /// the middles of their boxes; within one of its cells, their own. As they are where \p count
+    /// is that of one block. The lower half of each number is an item.
+    const uint64_t* order(uint32_t first, uint32_t count) {
+        if (count <= LeafBlock::kChildren) {
+            for (uint32_t i = 0; i < count; ++i) keys_[i] = first + i;
+            return keys_.data();
         }
-        float lows[4], highs[4];
-        low.store(lows), high.store(highs);
-        return {{lows[0], lows[1], lows[2]}, {highs[0], highs[1], highs[2]}};
-    }
-
-    /// Brings the \p count items of [begin, end) whose boxes' middles are lowest, along the axis on
-    /// which these spread widest, to the front; equal ones by their place, each half in its order.
-    void split(uint32_t begin, uint32_t end, uint32_t count) {
-        const uint32_t size = end - begin;
-        findMiddles(begin, end);
-        const Threshold threshold = findThreshold(size, count);
-        uint32_t equalLeft = count - threshold.less;
-        if (moved_.size() < size) moved_.resize(size);
-        const V t = hn::Set(d_, threshold.value);
-        LeafItem* from = items_.data() + begin;
-        uint32_t low = 0, high = count;
-        for (uint32_t i = 0; i < size; i += (uint32_t) hn::Lanes(d_)) {
-            const auto mine = hn::FirstN(d_, size - i);
-            const V middle = hn::LoadU(d_, middle_.data() + i);
-            const uint32_t less = simdMaskBits(d_, hn::And(mine, hn::Lt(middle, t)));
-            uint32_t equal = simdMaskBits(d_, hn::And(mine, hn::Eq(middle, t)));
-            while ((uint32_t) std::popcount(equal) > equalLeft) equal ^= std::bit_floor(equal);
-            equalLeft -= (uint32_t) std::popcount(equal);
-            const uint32_t here = std::min((uint32_t) hn::Lanes(d_), size - i);
-            for (uint32_t k = 0; k < here; ++k) {
-                const uint32_t isLow = (less | equal) >> k & 1;
-                moved_[isLow ? low : high] = from[i + k];
-                low += isLow, high += 1 - isLow;
-            }
+        findCodes(first, count);
+        uint32_t ends[kDigits][kRadix] = {};
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t code = (uint32_t) codes_[i];
+            keys_[i] = (uint64_t) code << 32 | (first + i);
+            for (int digit = 0; digit < kDigits; ++digit)
+                ++ends[digit][code >> digit * kBits & (kRadix - 1)];
         }
-        std::memcpy(static_cast<void*>(from), moved_.data(), size * sizeof(LeafItem));
+        for (int digit = 0; digit < kDigits; ++digit) {
+            uint32_t sum = 0;
+            for (uint32_t& end : ends[digit]) sum = std::exchange(end, sum) + sum;
+            const int shift = 32 + digit * kBits;
+            for (uint32_t i = 0; i < count; ++i)
+                moved_[ends[digit][keys_[i] >> shift & (kRadix - 1)]++] = keys_[i];
+            std::swap(keys_, moved_);
+        }
+        return keys_.data();
     }
 
 private:
     using Tag = hn::CappedTag<float, 16>;
-    using V = hn::Vec<Tag>;
+    using IntTag = hn::RebindToSigned<Tag>;
+    using Ints = hn::Vec<IntTag>;
     static constexpr size_t kPadding = 16;
-    /// Of more items the threshold is selected, of fewer counted out.
-    static constexpr uint32_t kCounted = 64;
+    /// Cells along the longest side are 2^kBits; of a code's three digits each has as many bits.
+    static constexpr int kBits = 6, kDigits = 3;
+    static constexpr uint32_t kRadix = 1u << kBits;
 
     static HWY_INLINE Quad quad(const glm::vec3& v) {
         const float floats[4] = {v.x, v.y, v.z, 0.0f};
         return Quad::load(floats);
     }
 
-    /// Twice the middles, along the widest axis.
-    void findMiddles(uint32_t begin, uint32_t end) {
-        if (middle_.size() < end - begin + kPadding) middle_.resize(end - begin + kPadding);
-        const auto middle = [&](uint32_t i) HWY_ATTR {
-            return Quad::load(items_[i].low) + Quad::load(items_[i].high);
-        };
-        Quad least = middle(begin), most = least;
-        for (uint32_t i = begin + 1; i < end; ++i) {
-            const Quad m = middle(i);
-            least = min(least, m);
-            most = max(most, m);
+    void findCodes(uint32_t first, uint32_t count) {
+        const float* const middles = &middles_[4 * first];
+        Quad least = Quad::load(middles), most = least;
+        for (uint32_t i = 1; i < count; ++i) {
+            const Quad middle = Quad::load(middles + 4 * i);
+            least = min(least, middle);
+            most = max(most, middle);
         }
         float low[4], high[4];
         least.store(low), most.store(high);
-        const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-        const int widest = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-        for (uint32_t i = begin; i < end; ++i)
-            middle_[i - begin] = items_[i].low[widest] + items_[i].high[widest];
-    }
-
-    /// The middle of rank \p count, and how many are less.
-    struct Threshold {
-        float value;
-        uint32_t less;
-    };
-    Threshold findThreshold(uint32_t size, uint32_t count) {
-        if (size > kCounted) {
-            selected_.assign(middle_.begin(), middle_.begin() + size);
-            std::nth_element(selected_.begin(), selected_.begin() + count, selected_.end());
-            const float value = selected_[count];
-            return {value, countLess(value, size)};
-        }
-        for (uint32_t i = 0;; ++i) {
-            const float value = middle_[i];
-            const uint32_t less = countLess(value, size);
-            if (less > count) continue;
-            if (less == count || count < less + countEqual(value, size)) return {value, less};
+        const float extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+        const Tag d;
+        const IntTag di;
+        const auto scale = hn::Set(d, (float) kRadix / std::max(extent, 0x1p-60f));
+        const auto last = hn::Set(d, (float) (kRadix - 1));
+        for (uint32_t i = 0; i < count; i += (uint32_t) hn::Lanes(d)) {
+            hn::Vec<Tag> x, y, z, unused;
+            hn::LoadInterleaved4(d, middles + 4 * i, x, y, z, unused);
+            const auto cell = [&](auto middle, int axis) HWY_ATTR {
+                const auto at = hn::Mul(hn::Sub(middle, hn::Set(d, low[axis])), scale);
+                return hn::ConvertTo(di, hn::Min(hn::Max(at, hn::Zero(d)), last));
+            };
+            hn::StoreU(code(cell(x, 0), cell(y, 1), cell(z, 2)), di, &codes_[i]);
         }
     }
-    HWY_INLINE uint32_t countLess(float value, uint32_t size) const {
-        const V v = hn::Set(d_, value);
-        uint32_t less = 0;
-        for (uint32_t i = 0; i < size; i += (uint32_t) hn::Lanes(d_))
-            less +=
-                (uint32_t) hn::CountTrue(d_, hn::And(hn::FirstN(d_, size - i),
-                                                     hn::Lt(hn::LoadU(d_, middle_.data() + i), v)));
-        return less;
-    }
-    HWY_INLINE uint32_t countEqual(float value, uint32_t size) const {
-        const V v = hn::Set(d_, value);
-        uint32_t equal = 0;
-        for (uint32_t i = 0; i < size; i += (uint32_t) hn::Lanes(d_))
-            equal +=
-                (uint32_t) hn::CountTrue(d_, hn::And(hn::FirstN(d_, size - i),
-                                                     hn::Eq(hn::LoadU(d_, middle_.data() + i), v)));
-        return equal;
+
+    /// The places of cells along the curve.
+    static HWY_INLINE Ints code(Ints x, Ints y, Ints z) {
+        const IntTag di;
+        const auto bits = [&](int32_t value) HWY_ATTR { return hn::Set(di, value); };
+        const auto has = [&](Ints v, int32_t bit)
+                             HWY_ATTR { return hn::Ne(hn::And(v, bits(bit)), hn::Zero(di)); };
+        for (int32_t bit = kRadix / 2; bit > 1; bit >>= 1) {
+            const Ints below = bits(bit - 1);
+            x = hn::IfThenElse(has(x, bit), hn::Xor(x, below), x);
+            const auto turn = [&](Ints& v) HWY_ATTR {
+                const auto flips = has(v, bit);
+                const Ints swapped = hn::IfThenZeroElse(flips, hn::And(hn::Xor(x, v), below));
+                x = hn::IfThenElse(flips, hn::Xor(x, below), hn::Xor(x, swapped));
+                v = hn::Xor(v, swapped);
+            };
+            turn(y);
+            turn(z);
+        }
+        y = hn::Xor(y, x);
+        z = hn::Xor(z, y);
+        Ints t = hn::Zero(di);
+        for (int32_t bit = kRadix / 2; bit > 1; bit >>= 1)
+            t = hn::IfThenElse(has(z, bit), hn::Xor(t, bits(bit - 1)), t);
+        const auto spread = [&](Ints v) HWY_ATTR {
+            v = hn::Xor(v, t);
+            v = hn::And(hn::Or(v, hn::ShiftLeft<8>(v)), bits(0x300f));
+            v = hn::And(hn::Or(v, hn::ShiftLeft<4>(v)), bits(0x30c3));
+            return hn::And(hn::Or(v, hn::ShiftLeft<2>(v)), bits(0x9249));
+        };
+        return hn::Or(hn::ShiftLeft<2>(spread(x)), hn::Or(hn::ShiftLeft<1>(spread(y)), spread(z)));
     }
 
-    static constexpr Tag d_{};
-    std::vector<LeafItem> items_, moved_;
-    std::vector<float> middle_, selected_;
+    std::vector<LeafItem> items_;
+    std::vector<float> middles_; ///< four floats each: twice the middles of the boxes
+    std::vector<int32_t> codes_; ///< places along the curve
+    std::vector<uint64_t> keys_, moved_;
 };
 
 } // namespace dirt::HWY_NAMESPACE

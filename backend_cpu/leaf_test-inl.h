@@ -31,22 +31,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// the direction below 2^-40 of the largest is replaced by that, which moves no point of the ray
 /// within the scene by more than 2^-40 (2 + |o|). 2^-21 (8 + |o|) |inv| is more than all of this,
 /// and each plane is moved outwards by it.
-///
-/// Triangle test. That of core's RayFilter, number for number; its bound is derived there. Before
-/// it, triangles are refused whose vertices all lie before `zBegin` or all beyond `zEnd` along the
-/// direction's main axis z. The difference to the origin has one rounding, so its sign is exact.
 struct LeafRay {
     float origin[3];
     float inverse[3];
     float pad[3];
     int sign[3]; ///< 1 where the direction is negative
 
-    int x, y, z;
-    float slopeX, slopeY, lateralError;
-    float zSign;      ///< of the direction along z
-    double zPerT;     ///< its magnitude
     float begin, end; ///< part of the ray, rounded outwards
-    float zBegin, zEnd;
 
     /// True if the tests' bounds hold for the ray.
     bool set(const Ray& ray) {
@@ -56,14 +47,6 @@ struct LeafRay {
         const float largest = std::max({ax, ay, az});
         const float away = std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)});
         if (!(largest >= 0x1p-40f && largest <= 0x1p40f && away <= 0x1p20f)) return false;
-        z = ax > ay ? (ax > az ? 0 : 2) : (ay > az ? 1 : 2);
-        x = (z + 1) % 3;
-        y = (z + 2) % 3;
-        slopeX = d[x] / d[z];
-        slopeY = d[y] / d[z];
-        lateralError = 0x1p-21f * (2.0f + away);
-        zSign = d[z] < 0.0f ? -1.0f : 1.0f;
-        zPerT = largest;
         for (int i = 0; i < 3; ++i) {
             const float magnitude = std::max(std::abs(d[i]), 0x1p-40f * largest);
             sign[i] = d[i] < 0.0f;
@@ -77,24 +60,20 @@ struct LeafRay {
     /// Looks only at parameters from \p from to \p to.
     void setPart(double from, double to) {
         begin = (float) (from * (1.0 - 0x1p-22));
-        zBegin = (float) (from * zPerT * (1.0 - 0x1p-21));
         setEnd(to);
     }
-    void setEnd(double to) {
-        end = (float) std::min(to * (1.0 + 0x1p-22), 0x1p120);
-        zEnd = (float) std::min(to * zPerT * (1.0 + 0x1p-21), 0x1p120);
-    }
+    void setEnd(double to) { end = (float) std::min(to * (1.0 + 0x1p-22), 0x1p120); }
 };
 
 /// Children of \p node whose boxes the ray's part may meet, as bits, and where it enters them.
-HWY_INLINE uint32_t childrenMet(const LeafRay& ray, const LeafNode& node,
+HWY_INLINE uint32_t childrenMet(const LeafRay& ray, const LeafBoxes& node,
                                 float* HWY_RESTRICT entry) {
-    const hn::CappedTag<float, LeafNode::kChildren> d;
+    const hn::CappedTag<float, LeafBoxes::kChildren> d;
     const hn::Rebind<int32_t, decltype(d)> di;
     const hn::Rebind<uint8_t, decltype(d)> d8;
     using V = hn::Vec<decltype(d)>;
     uint32_t met = 0;
-    for (size_t lane = 0; lane < LeafNode::kChildren; lane += hn::Lanes(d)) {
+    for (size_t lane = 0; lane < LeafBoxes::kChildren; lane += hn::Lanes(d)) {
         V from = hn::Set(d, ray.begin), to = hn::Set(d, ray.end);
         const auto cut = [&](int i) HWY_ATTR {
             const float base = (node.origin[i] - ray.origin[i]) * ray.inverse[i];
@@ -113,54 +92,6 @@ HWY_INLINE uint32_t childrenMet(const LeafRay& ray, const LeafNode& node,
         met |= (uint32_t) (bits[0] | bits[1] << 8) << lane;
     }
     return met & ((1u << node.children) - 1);
-}
-
-/// Triangles of \p block that the ray may hit, as bits.
-HWY_INLINE uint32_t trianglesMet(const LeafRay& ray, const LeafBlock& block) {
-    const hn::CappedTag<float, LeafBlock::kTriangles> d;
-    using V = hn::Vec<decltype(d)>;
-    const V ox = hn::Set(d, ray.origin[ray.x]), oy = hn::Set(d, ray.origin[ray.y]);
-    const V oz = hn::Set(d, ray.origin[ray.z]), zSign = hn::Set(d, ray.zSign);
-    const V slopeX = hn::Set(d, ray.slopeX), slopeY = hn::Set(d, ray.slopeY);
-    const V zBegin = hn::Set(d, ray.zBegin), zEnd = hn::Set(d, ray.zEnd);
-    const V lateral = hn::Set(d, ray.lateralError), minusLateral = hn::Neg(lateral);
-    uint32_t met = 0;
-    for (size_t lane = 0; lane < LeafBlock::kTriangles; lane += hn::Lanes(d)) {
-        const auto load = [&](int vertex, int axis)
-                              HWY_ATTR { return hn::Load(d, block.vertex[vertex][axis] + lane); };
-        const auto min3 = [&](V a, V b, V c) HWY_ATTR { return hn::Min(hn::Min(a, b), c); };
-        const auto max3 = [&](V a, V b, V c) HWY_ATTR { return hn::Max(hn::Max(a, b), c); };
-        const V az = hn::Sub(load(0, ray.z), oz);
-        const V bz = hn::Sub(load(1, ray.z), oz);
-        const V cz = hn::Sub(load(2, ray.z), oz);
-        const V pa = hn::Mul(az, zSign), pb = hn::Mul(bz, zSign), pc = hn::Mul(cz, zSign);
-        auto misses = hn::Or(hn::Lt(max3(pa, pb, pc), zBegin), hn::Gt(min3(pa, pb, pc), zEnd));
-
-        const V ax = hn::Sub(hn::Sub(load(0, ray.x), ox), hn::Mul(slopeX, az));
-        const V bx = hn::Sub(hn::Sub(load(1, ray.x), ox), hn::Mul(slopeX, bz));
-        const V cx = hn::Sub(hn::Sub(load(2, ray.x), ox), hn::Mul(slopeX, cz));
-        misses = hn::Or(misses, hn::Or(hn::Gt(min3(ax, bx, cx), lateral),
-                                       hn::Lt(max3(ax, bx, cx), minusLateral)));
-        const V ay = hn::Sub(hn::Sub(load(0, ray.y), oy), hn::Mul(slopeY, az));
-        const V by = hn::Sub(hn::Sub(load(1, ray.y), oy), hn::Mul(slopeY, bz));
-        const V cy = hn::Sub(hn::Sub(load(2, ray.y), oy), hn::Mul(slopeY, cz));
-        misses = hn::Or(misses, hn::Or(hn::Gt(min3(ay, by, cy), lateral),
-                                       hn::Lt(max3(ay, by, cy), minusLateral)));
-
-        const V u = hn::Sub(hn::Mul(bx, cy), hn::Mul(by, cx));
-        const V v = hn::Sub(hn::Mul(cx, ay), hn::Mul(cy, ax));
-        const V w = hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
-        const V largest = hn::Max(max3(hn::Abs(ax), hn::Abs(bx), hn::Abs(cx)),
-                                  max3(hn::Abs(ay), hn::Abs(by), hn::Abs(cy)));
-        const V error = hn::Mul(largest, hn::Add(hn::Mul(hn::Set(d, 4.0f), lateral),
-                                                 hn::Mul(hn::Set(d, 0x1p-21f), largest)));
-        misses = hn::Or(
-            misses, hn::And(hn::Gt(max3(u, v, w), error), hn::Lt(min3(u, v, w), hn::Neg(error))));
-        uint8_t bits[8] = {};
-        hn::StoreMaskBits(d, hn::Not(misses), bits);
-        met |= (uint32_t) bits[0] << lane;
-    }
-    return met;
 }
 
 } // namespace dirt::HWY_NAMESPACE

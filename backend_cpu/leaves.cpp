@@ -5,7 +5,7 @@
 #include "core/trace/ray.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <span>
 #include <utility>
 
@@ -26,43 +26,48 @@ constexpr size_t kTilesPerPiece = 16;
 constexpr size_t kTrianglesPerPiece = 4096;
 using TreeSize = Leaves::TreeSize;
 
-constexpr uint32_t kWidth = LeafBlock::kTriangles;
+constexpr uint32_t kWidth = LeafBoxes::kChildren;
 
-using Sizes = std::array<uint32_t, LeafNode::kChildren>;
+using Sizes = std::array<uint32_t, kWidth>;
 
 /// Cuts \p count things into at most 16 parts, as equal as can be, the larger ones first.
 int cut(uint32_t count, Sizes& sizes) {
-    const uint32_t parts = std::min<uint32_t>(count, LeafNode::kChildren);
+    const uint32_t parts = std::min(count, kWidth);
     for (uint32_t i = 0; i < parts; ++i) sizes[i] = count / parts + (i < count % parts ? 1 : 0);
     return (int) parts;
 }
 
-uint32_t blocksOf(size_t triangles) {
-    return (uint32_t) ((triangles + kWidth - 1) / kWidth);
+uint32_t blocksOf(uint32_t triangles) {
+    return (triangles + kWidth - 1) / kWidth;
 }
 
-/// Nodes of the tree over one list.
+/// Nodes of the tree over blocks.
 uint32_t nodesOver(uint32_t blocks) {
     if (blocks <= 1) return 0;
     Sizes sizes;
     const int count = cut(blocks, sizes);
     uint32_t nodes = 1;
-    for (int i = 0; i < count; ++i) nodes += nodesOver(sizes[i]);
+    for (int i = 0; i < count && sizes[i] > 1; ++i) nodes += nodesOver(sizes[i]);
     return nodes;
 }
 
-/// Nodes below that over several lists, with \p blocks blocks each.
-uint32_t nodesBelow(std::span<const uint32_t> blocks) {
-    Sizes sizes;
-    const int count = cut((uint32_t) blocks.size(), sizes);
-    uint32_t nodes = 0, list = 0;
-    for (int i = 0; i < count; ++i) {
-        nodes += sizes[i] == 1 ? nodesOver(blocks[list])
-                               : 1 + nodesBelow(blocks.subspan(list, sizes[i]));
-        list += sizes[i];
+/// Puts the lists of a tile's bins together where they fit into one block with their neighbours.
+/// Calls visit(triangles) for each run of bins.
+class Runs {
+public:
+    template <class Visit>
+    void add(uint32_t listed, Visit&& visit) {
+        if (size_ + listed > kWidth) end(visit);
+        size_ += listed;
     }
-    return nodes;
-}
+    template <class Visit>
+    void end(Visit&& visit) {
+        if (size_ > 0) visit(std::exchange(size_, 0));
+    }
+
+private:
+    uint32_t size_ = 0;
+};
 
 /// Calls visit(view, tile in the view, tile) for tiles [begin, end) over all views.
 template <class Visit>
@@ -81,133 +86,102 @@ void forEachTile(const Grid& grid, size_t begin, size_t end, Visit&& visit) {
 HWY_BEFORE_NAMESPACE();
 namespace dirt::HWY_NAMESPACE {
 
-/// Builds the tree of one tile's lists into its place.
+/// Builds the tree of one tile's runs into its place.
 class TreeBuilder {
 public:
-    /// Items [begin, end), those of one list or of several neighbours.
-    struct List {
-        uint32_t begin, end;
-        uint32_t size() const { return end - begin; }
-    };
+    TreeBuilder(Leaves& leaves, LeafItems& items, std::vector<LeafBox>& boxes, TreeSize place)
+        : leaves_(leaves), items_(items), boxes_(boxes), place_(place), nextNode_(place.nodes) {}
 
-    TreeBuilder(const FrameGeometry& geometry, Leaves& leaves, LeafItems& items, TreeSize place)
-        : geometry_(geometry), leaves_(leaves), items_(items), nextBlock_(place.blocks),
-          nextNode_(place.nodes) {}
-
-    /// The node over several lists, each of one bin; returns the box around them.
-    LeafBox overLists(LeafNode& node, std::span<const List> lists) {
-        Sizes sizes;
-        const int count = cut((uint32_t) lists.size(), sizes);
-        std::array<std::span<const List>, LeafNode::kChildren> parts;
-        for (int i = 0, list = 0; i < count; list += (int) sizes[i++])
-            parts[i] = lists.subspan(list, sizes[i]);
-        const auto isNode = [](std::span<const List> part) {
-            return part.size() > 1 || blocksOf(part[0].size()) > 1;
-        };
-        const auto end = std::stable_partition(parts.begin(), parts.begin() + count, isNode);
-        start(node, count, (int) (end - parts.begin()));
-
-        NodeBoxes boxes;
-        for (int i = 0; i < count; ++i) {
-            // Lists of neighbouring bins stand side by side.
-            const List all{parts[i].front().begin, parts[i].back().end};
-            if (i >= node.nodes)
-                boxes.add(writeBlock(leaves_.blocks[node.firstBlock + i - node.nodes], all));
-            else if (parts[i].size() > 1)
-                boxes.add(overLists(leaves_.nodes[node.firstNode + i], parts[i]));
-            else
-                boxes.add(overBlocks(leaves_.nodes[node.firstNode + i], all));
+    /// Returns the root, as in TileDepths.
+    uint32_t build(std::span<const uint32_t> runs) {
+        boxes_.clear();
+        uint32_t first = 0;
+        for (const uint32_t count : runs) {
+            const uint32_t inRun = blocksOf(count);
+            const uint64_t* const order = items_.order(first, count);
+            for (uint32_t i = 0; i < inRun; ++i) {
+                const auto begin = (uint32_t) ((uint64_t) count * i / inRun);
+                const auto end = (uint32_t) ((uint64_t) count * (i + 1) / inRun);
+                addBlock(order + begin, end - begin);
+            }
+            first += count;
         }
-        boxes.write(node);
-        return boxes.all();
+        const uint32_t blocks = (uint32_t) boxes_.size();
+        if (blocks == 1) return place_.blocks | TileDepths::kBlock;
+        const uint32_t root = nextNode_++;
+        overBlocks(leaves_.nodes[root], 0, blocks);
+        return root;
     }
 
 private:
-    /// The node over one list of more than one block.
-    LeafBox overBlocks(LeafNode& node, List list) {
-        Sizes sizes{};
-        const int count = cut(blocksOf(list.size()), sizes);
-        arrange(list, sizes.data(), count);
+    void addBlock(const uint64_t* order, uint32_t count) {
+        LeafBlock& block = leaves_.blocks[place_.blocks + boxes_.size()];
+        NodeBoxes boxes;
+        for (uint32_t i = 0; i < count; ++i) {
+            const LeafItem& item = items_[(uint32_t) order[i]];
+            boxes.add(item.low, item.high);
+            block.id[i] = item.id;
+        }
+        std::fill(block.id + count, block.id + kWidth, kNoPrimitive);
+        boxes.write(block);
+        boxes_.push_back(boxes.all());
+    }
+
+    /// The node over several blocks, counted from the first; returns the box around them.
+    LeafBox overBlocks(LeafNode& node, uint32_t first, uint32_t blocks) {
+        Sizes sizes;
+        const int count = cut(blocks, sizes);
         int nodes = 0;
         while (nodes < count && sizes[nodes] > 1) ++nodes;
-        start(node, count, nodes);
+        node.nodes = (uint8_t) nodes;
+        node.firstNode = nextNode_;
+        nextNode_ += (uint32_t) nodes;
 
         NodeBoxes boxes;
         for (int i = 0; i < count; ++i) {
-            const List part{list.begin, std::min(list.begin + sizes[i] * kWidth, list.end)};
-            list.begin = part.end;
-            if (i < nodes)
-                boxes.add(overBlocks(leaves_.nodes[node.firstNode + i], part));
-            else
-                boxes.add(writeBlock(leaves_.blocks[node.firstBlock + i - nodes], part));
+            if (i == nodes) node.firstBlock = place_.blocks + first;
+            boxes.add(i < nodes ? overBlocks(leaves_.nodes[node.firstNode + i], first, sizes[i])
+                                : boxes_[first]);
+            first += sizes[i];
         }
+        if (nodes == count) node.firstBlock = 0;
         boxes.write(node);
         return boxes.all();
     }
 
-    void start(LeafNode& node, int children, int nodes) {
-        node.children = (uint8_t) children;
-        node.nodes = (uint8_t) nodes;
-        node.firstNode = nextNode_;
-        node.firstBlock = nextBlock_;
-        nextNode_ += (uint32_t) nodes;
-        nextBlock_ += (uint32_t) (children - nodes);
-    }
-
-    /// Brings the items into the order of the parts: halves of halves, each of neighbours.
-    void arrange(List list, const uint32_t* sizes, int parts) {
-        if (parts == 1) return;
-        const int half = parts / 2;
-        uint32_t split = 0;
-        for (int i = 0; i < half; ++i) split += sizes[i] * kWidth;
-        items_.split(list.begin, list.end, split);
-        arrange({list.begin, list.begin + split}, sizes, half);
-        arrange({list.begin + split, list.end}, sizes + half, parts - half);
-    }
-
-    LeafBox writeBlock(LeafBlock& block, List list) {
-        const uint32_t count = list.size();
-        for (uint32_t i = 0; i < kWidth; ++i) {
-            const uint32_t id = items_[list.begin + std::min(i, count - 1)].id;
-            const Triangle& t = geometry_.triangles[id];
-            const glm::vec3* const vertices[3] = {&t.a, &t.b, &t.c};
-            for (int v = 0; v < 3; ++v)
-                for (int axis = 0; axis < 3; ++axis)
-                    block.vertex[v][axis][i] = (*vertices[v])[axis];
-            block.id[i] = i < count ? id : kNoPrimitive;
-        }
-        return items_.box(list.begin, list.end);
-    }
-
-    const FrameGeometry& geometry_;
     Leaves& leaves_;
     LeafItems& items_;
-    uint32_t nextBlock_, nextNode_;
+    std::vector<LeafBox>& boxes_; ///< of the blocks
+    TreeSize place_;
+    uint32_t nextNode_;
 };
 
 /// The trees of tiles [begin, end), which lie in their places.
 void BuildTrees(const FrameGeometry& geometry, const Grid& grid, Leaves& leaves, size_t begin,
                 size_t end) {
     thread_local LeafItems items;
-    thread_local std::vector<TreeBuilder::List> lists;
+    thread_local std::vector<LeafBox> boxes;
+    thread_local std::vector<uint32_t> runs;
     const int bins = grid.settings.bins;
     forEachTile(grid, begin, end, [&](int view, int tileInView, size_t tile) {
         const size_t cell = grid.cell(view, tileInView, 0);
-        items.reserve(grid.heads[cell + bins] - grid.heads[cell]);
-        lists.clear();
+        items.clear(grid.heads[cell + bins] - grid.heads[cell]);
+        runs.clear();
+        const auto addRun = [](uint32_t size) { runs.push_back(size); };
+        Runs inBins;
         uint32_t count = 0;
         for (int bin = 0; bin < bins; ++bin) {
             const std::span<const uint32_t> list = grid.list(view, tileInView, bin);
             if (list.empty()) continue;
             const uint32_t first = count;
-            const LeafBox cellBox = boxOfCell(grid, view, tileInView, bin);
-            count = items.add(count, list, geometry.triangles, cellBox,
-                              [&](uint32_t id) { return leaves.unhittable[id] != 0; });
-            if (count == first) continue;
-            lists.push_back({first, count});
+            count =
+                items.add(count, list, geometry.triangles, boxOfCell(grid, view, tileInView, bin),
+                          [&](uint32_t id) { return leaves.unhittable[id] != 0; });
+            inBins.add(count - first, addRun);
         }
+        inBins.end(addRun);
         TileDepths& depths = leaves.tiles[tile];
-        if (lists.empty()) {
+        if (count == 0) {
             depths = {}; // nothing that a ray hits
             return;
         }
@@ -216,8 +190,7 @@ void BuildTrees(const FrameGeometry& geometry, const Grid& grid, Leaves& leaves,
             const float low = items[i].low[v.axisW], high = items[i].high[v.axisW];
             depths.occupied |= v.signW > 0.0f ? depths.parts(low, high) : depths.parts(-high, -low);
         }
-        TreeBuilder(geometry, leaves, items, leaves.places[tile])
-            .overLists(leaves.nodes[tile], lists);
+        depths.root = TreeBuilder(leaves, items, boxes, leaves.places[tile]).build(runs);
     });
 }
 
@@ -228,10 +201,6 @@ HWY_AFTER_NAMESPACE();
 namespace dirt {
 
 HWY_EXPORT(BuildTrees);
-
-float LeafNode::step(int axis) const {
-    return std::bit_cast<float>((uint32_t) exponent[axis] << 23);
-}
 
 uint64_t Leaves::bytes() const {
     return tiles.size() * sizeof(TileDepths) + nodes.size() * sizeof(LeafNode) +
@@ -252,23 +221,22 @@ void fillLeaves(const FrameGeometry& geometry, const Grid& grid, Executor& execu
     leaves.places.resize(tiles);
     leaves.tiles.resize(tiles);
     executor.forRange(tiles, kTilesPerPiece, [&](size_t begin, size_t end) {
-        thread_local std::vector<uint32_t> blocks;
         forEachTile(grid, begin, end, [&](int view, int tileInView, size_t tile) {
             leaves.tiles[tile] = TileDepths(grid.bounds(view, tileInView));
-            blocks.clear();
             TreeSize& size = leaves.places[tile] = {};
+            const auto addRun = [&](uint32_t triangles) { size.blocks += blocksOf(triangles); };
+            Runs inBins;
             for (int bin = 0; bin < bins; ++bin) {
                 uint32_t listed = 0;
                 for (const uint32_t id : grid.list(view, tileInView, bin))
                     listed += !leaves.unhittable[id];
-                if (listed == 0) continue;
-                blocks.push_back(blocksOf(listed));
-                size.blocks += blocks.back();
+                inBins.add(listed, addRun);
             }
-            size.nodes = nodesBelow(blocks);
+            inBins.end(addRun);
+            size.nodes = nodesOver(size.blocks);
         });
     });
-    TreeSize sum{0, (uint32_t) tiles};
+    TreeSize sum;
     for (TreeSize& size : leaves.places) {
         const TreeSize own = std::exchange(size, sum);
         sum = {sum.blocks + own.blocks, sum.nodes + own.nodes};

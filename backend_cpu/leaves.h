@@ -4,42 +4,37 @@
 #include "core/grid/grid.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cfloat>
 #include <cstdint>
 #include <vector>
 
 namespace dirt {
 
-/// Eight triangles, coordinate by coordinate, for one SIMD test. A list that does not fill its
-/// last block repeats a triangle there, under the id kNoPrimitive.
-struct alignas(64) LeafBlock {
-    static constexpr int kTriangles = 8;
-    float vertex[3][3][kTriangles]; ///< vertex, axis of the grid frame, triangle
-    uint32_t id[kTriangles];
-
-    Triangle triangle(size_t i) const {
-        const auto corner = [&](int v) {
-            return glm::vec3(vertex[v][0][i], vertex[v][1][i], vertex[v][2][i]);
-        };
-        return {corner(0), corner(1), corner(2)};
-    }
-};
-
-/// Boxes of up to 16 parts of one tile's lists, in steps of a 254th of the whole or less, rounded
-/// outwards. A part is a further node or a block; the nodes come first.
-struct alignas(64) LeafNode {
+/// Boxes of up to 16 things, in steps of a 254th of the whole or less, rounded outwards.
+struct LeafBoxes {
     static constexpr int kChildren = 16;
     uint8_t bound[2][3][kChildren]; ///< low and high; axis; child
     float origin[3];
     uint8_t exponent[3]; ///< of the step, a power of two, as in the float's bits
     uint8_t children;
+
+    float step(int axis) const { return std::bit_cast<float>((uint32_t) exponent[axis] << 23); }
+};
+
+/// Boxes of parts of one tile's lists. A part is a further node or a block; the nodes come first.
+struct alignas(64) LeafNode : LeafBoxes {
     uint32_t firstNode, firstBlock;
     uint8_t nodes; ///< children that are nodes
-
-    float step(int axis) const;
+    uint8_t unused[7] = {};
 };
-static_assert(sizeof(LeafNode) == 128 && sizeof(LeafBlock) == 320);
+
+/// Boxes of up to 16 triangles' parts in their cells.
+struct alignas(64) LeafBlock : LeafBoxes {
+    uint32_t id[kChildren];
+    uint32_t unused[4] = {};
+};
+static_assert(sizeof(LeafNode) == 128 && sizeof(LeafBlock) == 192);
 
 /// The depths between which a tile holds anything that a ray hits, and which of 32 equal parts of
 /// them do: most of what a ray passes in mid-air is a gap between a near and a far thing.
@@ -48,6 +43,9 @@ struct TileDepths {
     float near = FLT_MAX, far = -FLT_MAX;
     float partsPerDepth = 0.0f;
     uint32_t occupied = 0; ///< a bit a part
+    /// Where the tile's tree begins: a block with kBlock, a node without.
+    uint32_t root = 0;
+    static constexpr uint32_t kBlock = 1u << 31;
 
     TileDepths() = default;
     explicit TileDepths(const DepthBounds& bounds)
@@ -65,18 +63,17 @@ private:
     }
 };
 
-/// The id buffer as it is traced. Each cell's list stands in blocks of eight neighbouring
-/// triangles, and each tile's lists under a tree of nodes, bin by bin at its top, whose boxes hold
-/// the triangles' parts in their cells; so a ray tests few of them. Triangles without area, which
-/// no ray hits, are left out.
+/// The id buffer as it is traced. Each tile's lists stand in blocks of 16 neighbouring triangles or
+/// some fewer, under a tree of nodes, whose boxes hold the triangles' parts in their cells; so a
+/// ray tests few triangles. Those without area, which no ray hits, are left out.
 struct Leaves {
-    /// Sizes of one tile's tree without its root, and where it lies.
+    /// Sizes of one tile's tree, and where it lies.
     struct TreeSize {
         uint32_t blocks = 0, nodes = 0;
     };
 
     std::vector<TileDepths> tiles; ///< in the numbering over all views; empty without triangles
-    std::vector<LeafNode> nodes;   ///< those of the tiles first, in the same numbering
+    std::vector<LeafNode> nodes;
     std::vector<LeafBlock> blocks;
 
     // Kept from frame to frame, while they are filled.

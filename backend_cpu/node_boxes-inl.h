@@ -24,23 +24,24 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 class NodeBoxes {
 public:
-    void add(const LeafBox& box) {
-        if (count_ == 0)
-            all_ = box;
-        else
-            all_.include(box);
-        for (int axis = 0; axis < 3; ++axis)
-            low_[axis][count_] = box.low[axis], high_[axis][count_] = box.high[axis];
+    void add(const LeafBox& box) { add(&box.low.x, &box.high.x); }
+    void add(const float* low, const float* high) {
+        for (int axis = 0; axis < 3; ++axis) {
+            low_[axis][count_] = low[axis], high_[axis][count_] = high[axis];
+            all_.low[axis] = std::min(all_.low[axis], low[axis]);
+            all_.high[axis] = std::max(all_.high[axis], high[axis]);
+        }
         ++count_;
     }
 
     /// The box around all.
     const LeafBox& all() const { return all_; }
 
-    void write(LeafNode& node) {
-        const hn::CappedTag<float, LeafNode::kChildren> d;
+    void write(LeafBoxes& node) {
+        const hn::CappedTag<float, LeafBoxes::kChildren> d;
         const hn::RebindToSigned<decltype(d)> di;
         const hn::Rebind<uint8_t, decltype(d)> d8;
+        node.children = (uint8_t) count_;
         for (int axis = 0; axis < 3; ++axis) {
             // The power of two above a 254th of the extent: the quotients below stay under 255,
             // and are off by less than 2^-23 of the extent, which the ray's test allows for.
@@ -48,12 +49,12 @@ public:
             const float least = std::max((all_.high[axis] - origin) * (1.0f / 254.0f), 0x1p-60f);
             node.origin[axis] = origin;
             node.exponent[axis] = (uint8_t) ((std::bit_cast<uint32_t>(least) >> 23) + 1);
-            std::fill(low_[axis] + count_, low_[axis] + LeafNode::kChildren,
+            std::fill(low_[axis] + count_, low_[axis] + LeafBoxes::kChildren,
                       low_[axis][count_ - 1]);
-            std::fill(high_[axis] + count_, high_[axis] + LeafNode::kChildren,
+            std::fill(high_[axis] + count_, high_[axis] + LeafBoxes::kChildren,
                       high_[axis][count_ - 1]);
             const auto from = hn::Set(d, origin), inverse = hn::Set(d, 1.0f / node.step(axis));
-            for (size_t i = 0; i < LeafNode::kChildren; i += hn::Lanes(d)) {
+            for (size_t i = 0; i < LeafBoxes::kChildren; i += hn::Lanes(d)) {
                 const auto steps = [&](const float* at) HWY_ATTR {
                     return hn::Mul(hn::Sub(hn::Load(d, at + i), from), inverse);
                 };
@@ -68,8 +69,8 @@ public:
     }
 
 private:
-    alignas(64) float low_[3][LeafNode::kChildren], high_[3][LeafNode::kChildren];
-    LeafBox all_;
+    alignas(64) float low_[3][LeafBoxes::kChildren], high_[3][LeafBoxes::kChildren];
+    LeafBox all_{glm::vec3(FLT_MAX), glm::vec3(-FLT_MAX)};
     int count_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include "core/grid/denormals.h"
 #include "core/trace/intersect.h"
 #include "core/trace/plain_intersect.h"
+#include "core/trace/ray_filter.h"
 
 #include <array>
 #include <cfloat>
@@ -46,7 +47,7 @@ template <class Query>
 class Traversal {
 public:
     Traversal(const LeafTracer& tracer, const Ray& ray, Query& query, LeafCounts& counts)
-        : tracer_(tracer), ray_(ray), query_(query), counts_(counts) {}
+        : tracer_(tracer), ray_(ray), query_(query), counts_(counts), filter_(ray) {}
 
     /// False if the ray has to be left to core.
     bool run() {
@@ -68,7 +69,11 @@ private:
         ++counts_.tiles;
         query_.enter(visit.begin, visit.end, part.view, visit.tile);
         leafRay_.setPart(visit.begin, std::min(visit.end, query_.limit));
-        testNode(view.nodes[visit.tile], visit);
+        const uint32_t root = view.depths[visit.tile].root;
+        if ((root & TileDepths::kBlock) != 0)
+            testBlock(root & ~TileDepths::kBlock, visit);
+        else
+            testNode(tracer_.leaves.nodes[root], visit);
     }
 
     /// Most of the time of a test is that of its first miss in the caches.
@@ -81,10 +86,7 @@ private:
                         &leaves.blocks[node.firstBlock + child - node.nodes]);
         hwy::Prefetch(lines);
         hwy::Prefetch(lines + 64);
-        if (inner) return;
-        hwy::Prefetch(lines + 128);
-        hwy::Prefetch(lines + 192);
-        hwy::Prefetch(lines + 256);
+        if (!inner) hwy::Prefetch(lines + 128);
     }
 
     void testNode(const LeafNode& node, const Visit& visit) {
@@ -109,17 +111,24 @@ private:
         }
     }
 
-    HWY_INLINE void testBlock(uint32_t index, const Visit& visit) {
+    void testBlock(uint32_t index, const Visit& visit) {
         ++counts_.blocks;
         const LeafBlock& block = tracer_.leaves.blocks[index];
-        uint32_t met = trianglesMet(leafRay_, block);
+        const Triangle* const triangles = tracer_.geometry.triangles.data();
+        HWY_ALIGN float entry[LeafNode::kChildren];
+        uint32_t met = childrenMet(leafRay_, block, entry);
         if (met == 0) return;
+        for (uint32_t rest = met; rest != 0; rest &= rest - 1)
+            hwy::Prefetch(&triangles[block.id[hwy::Num0BitsBelowLS1Bit_Nonzero32(rest)]]);
         for (; met != 0; met &= met - 1) {
             const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(met);
-            if (block.id[lane] != kNoPrimitive)
-                query_.test(block.id[lane], block.triangle(lane), counts_);
+            const uint32_t id = block.id[lane];
+            if (id == ray_.skip || entry[lane] > leafRay_.end) continue;
+            ++counts_.triangles;
+            if (filter_.certainlyMisses(triangles[id])) continue;
+            query_.test(id, triangles[id], counts_);
+            leafRay_.setEnd(std::min(visit.end, query_.limit));
         }
-        leafRay_.setEnd(std::min(visit.end, query_.limit));
     }
 
     const LeafTracer& tracer_;
@@ -127,6 +136,7 @@ private:
     Query& query_;
     LeafCounts& counts_;
     LeafRay leafRay_;
+    RayFilter filter_;
 };
 
 /// T3: the nearest hit, at equal t the lowest id, filed under a tile in which it lies.
@@ -317,8 +327,7 @@ LeafTracer::LeafTracer(const FrameGeometry& geometry, const Grid& grid, const Le
         views.push_back({{view.columns, view.rows},
                          {view.s.data(), view.t.data()},
                          {tilesPerSlope(view.width, view.s), tilesPerSlope(view.height, view.t)},
-                         leaves.tiles.data() + grid.firstTile[v],
-                         leaves.nodes.data() + grid.firstTile[v]});
+                         leaves.tiles.data() + grid.firstTile[v]});
     }
     for (size_t lane = 0; lane < ViewTable::kLanes; ++lane) {
         const View& view = grid.views[std::min(lane, grid.views.size() - 1)];

@@ -13,14 +13,15 @@ namespace dirt {
 
 /// What the traversal of the leaves did.
 struct LeafCounts {
-    uint64_t steps = 0;   ///< tiles looked at
-    uint64_t tiles = 0;   ///< tiles whose lists were visited
-    uint64_t nodes = 0;   ///< nodes tested
-    uint64_t blocks = 0;  ///< blocks of eight triangles tested
-    uint64_t exact = 0;   ///< triangles that went on to core's exact decision
-    uint64_t scalar = 0;  ///< rays left to core's traversal
-    uint64_t lookups = 0; ///< shadow rays answered by the light grid, and
-    uint64_t listed = 0;  ///< triangles looked at there
+    uint64_t steps = 0;     ///< tiles looked at
+    uint64_t tiles = 0;     ///< tiles whose lists were visited
+    uint64_t nodes = 0;     ///< nodes tested
+    uint64_t blocks = 0;    ///< blocks tested, and
+    uint64_t triangles = 0; ///< triangles whose boxes there are met
+    uint64_t exact = 0;     ///< triangles that went on to core's exact decision
+    uint64_t scalar = 0;    ///< rays left to core's traversal
+    uint64_t lookups = 0;   ///< shadow rays answered by the light grid, and
+    uint64_t listed = 0;    ///< triangles looked at there
 };
 
 inline constexpr int kMaxViews = 6;
@@ -31,7 +32,6 @@ struct TracedView {
     const float* borders[2];
     double tilesPerSlope[2];
     const TileDepths* depths;
-    const LeafNode* nodes; ///< of its tiles
 };
 
 /// What all views' cones are made of, one lane a view; lanes without a view are never met.

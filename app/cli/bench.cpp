@@ -26,11 +26,12 @@ struct BenchOptions {
 
 #ifdef DIRT_HAVE_EMBREE
 
-std::array<std::pair<const char*, uint64_t>, 8> namedCounts(const LeafCounts& c) {
+std::array<std::pair<const char*, uint64_t>, 9> namedCounts(const LeafCounts& c) {
     return {{{"steps", c.steps},
              {"tiles", c.tiles},
              {"nodes", c.nodes},
              {"blocks", c.blocks},
+             {"triangles", c.triangles},
              {"exact", c.exact},
              {"scalar", c.scalar},
              {"lookups", c.lookups},

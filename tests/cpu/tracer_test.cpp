@@ -134,10 +134,10 @@ TEST(LeafTracer, EqualsCoreOnNastyScenes) {
     EXPECT_LT(scalar, rays / 5) << "most rays must take the path under test";
 }
 
-/// Long lists: trees of several levels in one cell, all sizes of blocks and nodes.
+/// Long lists: trees of several levels in one tile, all sizes of blocks and nodes.
 TEST(LeafTracer, EqualsCoreOnLongLists) {
     Random random(62);
-    for (const int count : {1, 7, 8, 9, 16, 17, 127, 128, 129, 136, 400, 2500, 12000}) {
+    for (const int count : {1, 15, 16, 17, 33, 255, 256, 257, 272, 400, 2500, 12000}) {
         FrameGeometry geometry;
         const double size = 0.6 / std::cbrt(count);
         for (int i = 0; i < count; ++i) {
@@ -271,6 +271,17 @@ TEST(LeafTracer, FindsWhatHoldsTheEye) {
     expectEqual(structure, asked, "");
 }
 
+std::vector<uint8_t> bytesOf(const Leaves& leaves) {
+    std::vector<uint8_t> bytes;
+    const auto add = [&](const auto& things) {
+        const auto* first = reinterpret_cast<const uint8_t*>(things.data());
+        bytes.insert(bytes.end(), first, first + things.size() * sizeof(things[0]));
+    };
+    add(leaves.tiles), add(leaves.nodes), add(leaves.blocks);
+    return bytes;
+}
+
+/// Also: the same for any number of threads, on every instruction set.
 TEST(Leaves, HoldEachListWithoutWhatHasNoArea) {
     Random random(65);
     for (int round = 0; round < 20; ++round) {
@@ -279,12 +290,14 @@ TEST(Leaves, HoldEachListWithoutWhatHasNoArea) {
         geometry.triangles = smallScene(random, set);
         const Structure s(geometry, set.camera, set.settings);
         ThreadPool pool(3);
-        Leaves parallel;
-        fillLeaves(geometry, s.grid, pool, parallel);
-        EXPECT_EQ(parallel.nodes.size(), s.leaves.nodes.size());
-        ASSERT_EQ(parallel.blocks.size(), s.leaves.blocks.size());
-        for (size_t b = 0; b < parallel.blocks.size(); ++b)
-            EXPECT_TRUE(std::ranges::equal(parallel.blocks[b].id, s.leaves.blocks[b].id));
+        Leaves again;
+        fillLeaves(geometry, s.grid, pool, again);
+        EXPECT_EQ(bytesOf(again), bytesOf(s.leaves));
+        SerialExecutor serial;
+        forEachTarget([&] {
+            fillLeaves(geometry, s.grid, serial, again);
+            EXPECT_EQ(bytesOf(again), bytesOf(s.leaves));
+        });
 
         std::vector<uint32_t> laidOut, listed;
         for (const LeafBlock& block : s.leaves.blocks)
