@@ -168,13 +168,16 @@ void forEachHit(const FrameContext& frame, Executor& executor, uint32_t sample, 
 } // namespace
 
 void rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
-                               EyeBuffers& buffers, std::span<SurfacePoint> points) {
+                               EyeBuffers& buffers, PathBuffers& paths) {
     forEachHit(frame, executor, sample, buffers,
                [&](size_t pixel, const Ray& ray, uint32_t id, const TriangleHit& hit) {
-                   points[pixel] = {};
-                   if (id != kNoPrimitive)
-                       points[pixel] = fetchSurface(frame.scene, frame.geometry, ray.direction, id,
-                                                    hit.u, hit.v);
+                   if (id == kNoPrimitive)
+                       paths.clearNext(pixel);
+                   else
+                       paths.setNext(pixel,
+                                     fetchSurface(frame.scene, frame.geometry, ray.direction, id,
+                                                  hit.u, hit.v),
+                                     frame.geometry);
                });
 }
 

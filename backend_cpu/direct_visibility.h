@@ -20,11 +20,11 @@ struct EyeBuffers {
     DepthLists lists; ///< of items, for each tile of the image
 };
 
-/// DirectVisibility: G[1] of every pixel, by rasterizing the triangle buffer from the eye, as
-/// seen through the sample's sub-pixel offset. The points are those of traced primary rays, bit
-/// for bit, equal depths included.
+/// DirectVisibility: G[1] of every pixel, in \p paths, by rasterizing the triangle buffer from the
+/// eye, as seen through the sample's sub-pixel offset. The points are those of traced primary rays,
+/// bit for bit, equal depths included.
 void rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
-                               EyeBuffers& buffers, std::span<SurfacePoint> points);
+                               EyeBuffers& buffers, PathBuffers& paths);
 
 /// The hits alone, without views and tiles.
 void rasterizeHits(const FrameContext& frame, Executor& executor, uint32_t sample,

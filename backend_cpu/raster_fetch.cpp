@@ -64,15 +64,17 @@ private:
 
 void rasterFetch(const FrameContext& frame, const Grid& grid, Executor& executor,
                  PathBuffers& paths) {
-    executor.forRange(paths.next.size(), kPixelsPerPiece, [&](size_t begin, size_t end) {
-        std::fill(paths.next.begin() + begin, paths.next.begin() + end, SurfacePoint{});
+    executor.forRange(paths.pixels(), kPixelsPerPiece, [&](size_t begin, size_t end) {
+        for (size_t pixel = begin; pixel < end; ++pixel) paths.clearNext(pixel);
     });
     const HitLists lists(grid, executor, paths.hits);
     const auto fetch = [&](size_t tile, uint32_t id) {
         lists.forEach(tile, id, [&](uint32_t pixel) {
             Hit& hit = paths.hits[pixel];
-            paths.next[pixel] = fetchSurface(frame.scene, frame.geometry,
-                                             paths.rays[pixel].direction, id, hit.u, hit.v);
+            paths.setNext(pixel,
+                          fetchSurface(frame.scene, frame.geometry, paths.rays[pixel].direction, id,
+                                       hit.u, hit.v),
+                          frame.geometry);
             ++hit.fetches;
         });
     };

@@ -79,7 +79,7 @@ uint64_t DirectVisibility::run(const TriangleBuffer& triangles, const SceneBuffe
 
     uint32_t found = 0;
     const GlBuffer counter(sizeof found, &found);
-    programs_.use(firstPointsSource(scene.variant()));
+    programs_.use(firstPointsSource(paths.format(), scene.variant()));
     scene.bind();
     glBindTextureUnit(4, primitives_.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kFound, counter.id());

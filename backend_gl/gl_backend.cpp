@@ -279,7 +279,7 @@ void GlBackend::visibility(int event) {
 
 void GlBackend::shade(int event) {
     context_.makeCurrent();
-    passes_.shade(event);
+    passes_.shade(event, triangles_);
     endPass();
 }
 
@@ -296,13 +296,15 @@ void GlBackend::resolve() {
 PathBuffers GlBackend::readPaths() const {
     context_.makeCurrent();
     PathBuffers paths = passes_.paths().read();
+    if (passes_.paths().format().packed()) paths = paths.unpacked(triangles_.read());
     context_.check();
     return paths;
 }
 
 void GlBackend::writePaths(const PathBuffers& paths) {
     context_.makeCurrent();
-    passes_.paths().write(paths);
+    const PointFormat& format = passes_.paths().format();
+    passes_.paths().write(format.packed() ? paths.packed(format, triangles_.read()) : paths);
     context_.check();
 }
 

@@ -63,9 +63,10 @@ void GlPathBuffers::allocate(const Requirements& need, size_t pixels) {
                          " pixels at most");
     pixels_ = pixels;
     const bool searches = need.indirect || need.tracedPrimary;
-    make(previous_, need.previousPoint, sizeof(SurfacePoint), pixels);
-    make(current_, need.indirect || need.previousPoint, sizeof(SurfacePoint), pixels);
-    make(next_, true, sizeof(SurfacePoint), pixels);
+    format_ = pointFormatOf(need);
+    make(previous_, need.previousPoint, format_.bytes(), pixels);
+    make(current_, need.indirect || need.previousPoint, format_.bytes(), pixels);
+    make(next_, true, format_.bytes(), pixels);
     make(mask_, need.indirect, sizeof(uint8_t), pixels);
     make(rays_, searches, sizeof(PathRay), pixels);
     make(hits_, searches, sizeof(Hit), pixels);
@@ -78,7 +79,7 @@ void GlPathBuffers::allocate(const Requirements& need, size_t pixels) {
     for (const GlBuffer* buffer : {&mask_, &visibility_})
         glClearNamedBufferData(buffer->id(), GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
     for (const GlBuffer* buffer : {&radiance_, &image_}) clearToZero(*buffer);
-    programs_.use(clearPathsSource(searches, current_.bytes() > 0));
+    programs_.use(clearPathsSource(format_, searches, current_.bytes() > 0));
     dispatch();
     if (previous_.bytes() > 0)
         glCopyNamedBufferSubData(next_.id(), previous_.id(), 0, 0, (GLsizeiptr) next_.bytes());
@@ -86,9 +87,15 @@ void GlPathBuffers::allocate(const Requirements& need, size_t pixels) {
 
 PathBuffers GlPathBuffers::read() const {
     PathBuffers paths;
-    paths.previous = readAll<SurfacePoint>(previous_);
-    paths.current = readAll<SurfacePoint>(current_);
-    paths.next = readAll<SurfacePoint>(next_);
+    if (format_.packed()) {
+        paths.packedPrevious = {format_, readAll<uint32_t>(previous_)};
+        paths.packedCurrent = {format_, readAll<uint32_t>(current_)};
+        paths.packedNext = {format_, readAll<uint32_t>(next_)};
+    } else {
+        paths.previous = readAll<SurfacePoint>(previous_);
+        paths.current = readAll<SurfacePoint>(current_);
+        paths.next = readAll<SurfacePoint>(next_);
+    }
     paths.mask = readAll<uint8_t>(mask_);
     paths.rays = readAll<PathRay>(rays_);
     paths.hits = readAll<Hit>(hits_);
@@ -103,9 +110,15 @@ std::vector<glm::vec3> GlPathBuffers::readImage() const {
 }
 
 void GlPathBuffers::write(const PathBuffers& paths) {
-    writeAll(previous_, paths.previous);
-    writeAll(current_, paths.current);
-    writeAll(next_, paths.next);
+    if (format_.packed()) {
+        writeAll(previous_, paths.packedPrevious.words());
+        writeAll(current_, paths.packedCurrent.words());
+        writeAll(next_, paths.packedNext.words());
+    } else {
+        writeAll(previous_, paths.previous);
+        writeAll(current_, paths.current);
+        writeAll(next_, paths.next);
+    }
     writeAll(mask_, paths.mask);
     writeAll(rays_, paths.rays);
     writeAll(hits_, paths.hits);
@@ -152,8 +165,8 @@ BufferRange GlPathBuffers::hits(uint32_t first, uint32_t count) const {
 void GlPathBuffers::bind(uint32_t first, uint32_t count) const {
     rays(first, count).bind(kRays);
     hits(first, count).bind(kHits);
-    rangeOf(current_, sizeof(SurfacePoint), first, count).bind(kCurrent);
-    rangeOf(next_, sizeof(SurfacePoint), first, count).bind(kNext);
+    rangeOf(current_, format_.bytes(), first, count).bind(kCurrent);
+    rangeOf(next_, format_.bytes(), first, count).bind(kNext);
     rangeOf(radiance_, sizeof(glm::vec3), first, count).bind(kRadiance);
     rangeOf(image_, sizeof(glm::vec3), first, count).bind(kImage);
     glBindImageTexture(kMask, maskView_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R8UI);

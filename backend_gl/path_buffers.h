@@ -35,8 +35,10 @@ public:
     /// has no buffers of that size.
     void allocate(const Requirements& requirements, size_t pixels);
 
+    /// As they are kept: the points in full or packed.
     PathBuffers read() const;
-    /// \p paths: the buffers that there are, all of them.
+    const PointFormat& format() const { return format_; }
+    /// \p paths: the buffers that there are, all of them, as they are kept.
     void write(const PathBuffers& paths);
     std::vector<glm::vec3> readImage() const;
 
@@ -63,6 +65,7 @@ public:
 private:
     Programs& programs_;
     size_t pixels_ = 0;
+    PointFormat format_;
     GlBuffer previous_, current_, next_, mask_, rays_, hits_, visibility_, radiance_, image_;
     GlTexture maskView_, visibilityView_;
 };

@@ -41,6 +41,19 @@ std::vector<std::string> cutOutDefines(const SurfaceVariant& surfaces) {
     return defines;
 }
 
+/// How points are kept.
+ProgramSource withPoints(const PointFormat& format, ProgramSource source) {
+    if (!format.packed()) return source;
+    const auto add = [&](const char* name, uint32_t value) {
+        source.defines.push_back(std::string(name) + " " + std::to_string(value) + "u");
+    };
+    add("DIRT_POINT_WORDS", format.words);
+    if (format.normal) add("DIRT_POINT_NORMAL", format.normal);
+    if (format.emission) add("DIRT_POINT_EMISSION", format.emission);
+    if (format.gloss) add("DIRT_POINT_GLOSS", format.gloss);
+    return source;
+}
+
 std::string cases() {
     return "DIRT_CASES " + std::to_string(kSelfTestCases);
 }
@@ -96,22 +109,22 @@ ProgramSource traceSource(Search search, Precision precision, int segments, int 
     return {search == Search::any ? "Visibility" : "Trace", {"trace.comp"}, std::move(defines), {}};
 }
 
-ProgramSource clearPathsSource(bool rays, bool current) {
-    return {"Clear of the paths",
-            {"clear_paths.comp"},
-            {define("DIRT_RAYS", rays), define("DIRT_CURRENT", current)},
-            {}};
+ProgramSource clearPathsSource(const PointFormat& format, bool rays, bool current) {
+    return withPoints(format, {"Clear of the paths",
+                               {"clear_paths.comp"},
+                               {define("DIRT_RAYS", rays), define("DIRT_CURRENT", current)},
+                               {}});
 }
 
-ProgramSource depthMaskSource() {
-    return {"DepthMask", {"depth_mask.comp"}, {}, {}};
+ProgramSource depthMaskSource(const PointFormat& format) {
+    return withPoints(format, {"DepthMask", {"depth_mask.comp"}, {}, {}});
 }
 
-ProgramSource raysSource(bool scatters, bool gloss) {
-    return {"Rays",
-            {"rays.comp"},
-            {define("DIRT_SCATTERS", scatters), define("DIRT_GLOSS", gloss)},
-            {}};
+ProgramSource raysSource(const PointFormat& format, bool scatters, bool gloss) {
+    return withPoints(format, {"Rays",
+                               {"rays.comp"},
+                               {define("DIRT_SCATTERS", scatters), define("DIRT_GLOSS", gloss)},
+                               {}});
 }
 
 ProgramSource directVisibilitySource(const SurfaceVariant& surfaces) {
@@ -128,14 +141,15 @@ ProgramSource shadowMapSource(const SurfaceVariant& surfaces) {
             {}};
 }
 
-ProgramSource firstPointsSource(const SurfaceVariant& surfaces) {
-    return {"DirectVisibility's points", {"first_points.comp"}, surfaceDefines(surfaces), {}};
+ProgramSource firstPointsSource(const PointFormat& format, const SurfaceVariant& surfaces) {
+    return withPoints(
+        format, {"DirectVisibility's points", {"first_points.comp"}, surfaceDefines(surfaces), {}});
 }
 
-ProgramSource fetchSource(const SurfaceVariant& surfaces, bool raster) {
+ProgramSource fetchSource(const PointFormat& format, const SurfaceVariant& surfaces, bool raster) {
     std::vector<std::string> defines = raster ? depositDefines(surfaces) : surfaceDefines(surfaces);
     defines.push_back(define("DIRT_RASTER", raster));
-    return {"Fetch", {"fetch.comp"}, std::move(defines), {}};
+    return withPoints(format, {"Fetch", {"fetch.comp"}, std::move(defines), {}});
 }
 
 ProgramSource groupHitsSource() {
@@ -156,26 +170,29 @@ ProgramSource fetchAtEyeSource(const SurfaceVariant& surfaces) {
     return {"Fetch at the eye", {"fetch_at_eye.comp"}, depositDefines(surfaces), {}};
 }
 
-ProgramSource shadowRaysSource(ViewMode mode, bool gloss) {
-    return {"shadow rays",
-            {"shadow_rays.comp"},
-            {define("DIRT_SINGLE", mode == ViewMode::single), define("DIRT_GLOSS", gloss)},
-            {}};
+ProgramSource shadowRaysSource(const PointFormat& format, ViewMode mode, bool gloss) {
+    return withPoints(
+        format, {"shadow rays",
+                 {"shadow_rays.comp"},
+                 {define("DIRT_SINGLE", mode == ViewMode::single), define("DIRT_GLOSS", gloss)},
+                 {}});
 }
 
 ProgramSource visibilitySource() {
     return {"Visibility's answers", {"visibility.comp"}, {}, {}};
 }
 
-ProgramSource shadeSource(bool secondary, bool emission, bool background, LightShading light,
-                          bool gloss) {
-    return {
-        "Shade",
-        {"shade.comp"},
-        {define("DIRT_SECONDARY", secondary), define("DIRT_EMISSION", emission),
-         define("DIRT_BACKGROUND", background), define("DIRT_LIGHT", light == LightShading::traced),
-         define("DIRT_SHADOW_MAP", light == LightShading::shadowMap), define("DIRT_GLOSS", gloss)},
-        {}};
+ProgramSource shadeSource(const PointFormat& format, bool secondary, bool emission, bool background,
+                          LightShading light, bool gloss) {
+    return withPoints(
+        format,
+        {"Shade",
+         {"shade.comp"},
+         {define("DIRT_SECONDARY", secondary), define("DIRT_EMISSION", emission),
+          define("DIRT_BACKGROUND", background),
+          define("DIRT_LIGHT", light == LightShading::traced),
+          define("DIRT_SHADOW_MAP", light == LightShading::shadowMap), define("DIRT_GLOSS", gloss)},
+         {}});
 }
 
 ProgramSource resolveSource() {

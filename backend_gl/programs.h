@@ -1,7 +1,7 @@
 #pragma once
 
 #include "backend_gl/program.h"
-#include "core/frame/requirements.h"
+#include "core/frame/point_buffer.h"
 #include "core/grid/geometry.h"
 
 #include <map>
@@ -36,7 +36,7 @@ struct SurfaceVariant {
 };
 
 /// The programs of the passes. Variants differ by what the frame asks for, and by the driver's
-/// limits: \p segments of 2^\p segmentBits nodes each.
+/// limits: \p segments of 2^\p segmentBits nodes each. \p format: how points are kept.
 ProgramSource transformSource();
 ProgramSource largestCoordinateSource();
 ProgramSource scaleTrianglesSource();
@@ -47,20 +47,20 @@ ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segment
 /// \p cutOuts: surfaces with holes; else null.
 ProgramSource traceSource(Search search, Precision precision, int segments, int segmentBits,
                           const SurfaceVariant* cutOuts = nullptr);
-ProgramSource clearPathsSource(bool rays, bool current);
-ProgramSource depthMaskSource();
-ProgramSource raysSource(bool scatters, bool gloss);
+ProgramSource clearPathsSource(const PointFormat& format, bool rays, bool current);
+ProgramSource depthMaskSource(const PointFormat& format);
+ProgramSource raysSource(const PointFormat& format, bool scatters, bool gloss);
 ProgramSource directVisibilitySource(const SurfaceVariant& surfaces);
-ProgramSource firstPointsSource(const SurfaceVariant& surfaces);
+ProgramSource firstPointsSource(const PointFormat& format, const SurfaceVariant& surfaces);
 ProgramSource shadowMapSource(const SurfaceVariant& surfaces);
-ProgramSource fetchSource(const SurfaceVariant& surfaces, bool raster);
+ProgramSource fetchSource(const PointFormat& format, const SurfaceVariant& surfaces, bool raster);
 ProgramSource groupHitsSource();
 ProgramSource rasterFetchSource(ViewMode mode, const SurfaceVariant& surfaces);
 ProgramSource fetchAtEyeSource(const SurfaceVariant& surfaces);
-ProgramSource shadowRaysSource(ViewMode mode, bool gloss);
+ProgramSource shadowRaysSource(const PointFormat& format, ViewMode mode, bool gloss);
 ProgramSource visibilitySource();
-ProgramSource shadeSource(bool secondary, bool emission, bool background, LightShading light,
-                          bool gloss);
+ProgramSource shadeSource(const PointFormat& format, bool secondary, bool emission, bool background,
+                          LightShading light, bool gloss);
 ProgramSource resolveSource();
 ProgramSource selfTestRasterSource();
 ProgramSource selfTestComputeSource();

@@ -82,7 +82,7 @@ void RasterFetch::run(const TriangleBuffer& triangles, const GridViews& views, c
         }
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 
-        use(fetchSource(surfaces, true));
+        use(fetchSource(paths.format(), surfaces, true));
         dispatchOver(count);
     }
 }

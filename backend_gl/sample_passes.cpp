@@ -85,12 +85,12 @@ void SamplePasses::directVisibility(uint32_t sample, const TriangleBuffer& trian
 }
 
 void SamplePasses::depthMask(int event) {
-    use(depthMaskSource(), parameters_.sampleIndex, event);
+    use(depthMaskSource(paths_.format()), parameters_.sampleIndex, event);
     paths_.dispatch();
 }
 
 void SamplePasses::rays(uint32_t sample, int event, const TriangleBuffer& triangles) {
-    use(raysSource(event > 0, need_.gloss), sample, event);
+    use(raysSource(paths_.format(), event > 0, need_.gloss), sample, event);
     glBindTextureUnit(3, triangles.texture());
     paths_.dispatch();
 }
@@ -103,7 +103,8 @@ void SamplePasses::trace(int event, const TracedStructure& structure, RayCaster&
 
 void SamplePasses::fetch(const TriangleBuffer& triangles, const GridViews& views,
                          const Grid& grid) {
-    use(fetchSource(scene_.variant(), false), parameters_.sampleIndex, parameters_.event);
+    use(fetchSource(paths_.format(), scene_.variant(), false), parameters_.sampleIndex,
+        parameters_.event);
     if (fetch_ == Fetch::raster) {
         rasterFetch_.run(triangles, views, grid, scene_, paths_);
         return;
@@ -121,7 +122,7 @@ void SamplePasses::visibility(int event, const TracedStructure& structure, RayCa
         const auto count =
             (uint32_t) std::min<size_t>(RayCaster::kMostRays, paths_.pixels() - first);
         structure.views.bind();
-        use(shadowRaysSource(mode_, need_.gloss), parameters_.sampleIndex, event);
+        use(shadowRaysSource(paths_.format(), mode_, need_.gloss), parameters_.sampleIndex, event);
         glBindTextureUnit(3, structure.triangles.texture());
         paths_.bind((uint32_t) first, count);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kShadowRays, shadowRays_.id());
@@ -142,14 +143,15 @@ void SamplePasses::visibility(int event, const TracedStructure& structure, RayCa
     counts_.shadowRays += asked;
 }
 
-void SamplePasses::shade(int event) {
+void SamplePasses::shade(int event, const TriangleBuffer& triangles) {
     // In single mode a secondary ray that leaves the view returns nothing.
     const bool background = need_.background && (event == 0 || mode_ == ViewMode::full);
     const LightShading light = need_.shadowMap > 0 ? LightShading::shadowMap
                                : need_.shadowRays  ? LightShading::traced
                                                    : LightShading::none;
-    use(shadeSource(event > 0, need_.emission, background, light, need_.gloss),
+    use(shadeSource(paths_.format(), event > 0, need_.emission, background, light, need_.gloss),
         parameters_.sampleIndex, event);
+    glBindTextureUnit(3, triangles.texture()); // of packed points
     if (need_.shadowMap > 0) shadowMap_.bind();
     paths_.dispatch();
 }

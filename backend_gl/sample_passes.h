@@ -31,7 +31,7 @@ public:
     /// \p grid: its views.
     void fetch(const TriangleBuffer& triangles, const GridViews& views, const Grid& grid);
     void visibility(int event, const TracedStructure& structure, RayCaster& caster);
-    void shade(int event);
+    void shade(int event, const TriangleBuffer& triangles);
     void shift() { paths_.shift(); }
     void resolve();
 

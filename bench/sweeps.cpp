@@ -70,6 +70,10 @@ Sweeps makeSweeps(const RenderSettings& around) {
     builder.add("exact", [](RenderSettings& s) { s.grid.precision = Precision::exact; });
     builder.add("fast", [](RenderSettings& s) { s.grid.precision = Precision::fast; });
 
+    builder.begin("shading");
+    builder.add("full", [](RenderSettings& s) { s.shading = Shading::full; });
+    builder.add("packed", [](RenderSettings& s) { s.shading = Shading::packed; });
+
     builder.begin("view");
     builder.add("full", [](RenderSettings& s) { s.grid.mode = ViewMode::full; });
     builder.add("single", [](RenderSettings& s) { s.grid.mode = ViewMode::single; });

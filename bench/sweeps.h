@@ -22,8 +22,8 @@ struct Sweeps {
 };
 
 /// Tile, bins, both together, view size, traversal, top level, fetch, primary rays, precision,
-/// views and bounces, as `bench tradeoff` varies them. View sizes that are absurd for the image are
-/// left out.
+/// shading, views and bounces, as `bench tradeoff` varies them. View sizes that are absurd for the
+/// image are left out.
 Sweeps makeSweeps(const RenderSettings& around);
 
 } // namespace dirt

@@ -1,16 +1,16 @@
 #version 450 core
 // Empty records for all paths of a frame.
 
-#include "include/paths.glsl"
+#include "include/points.glsl"
 
 layout(local_size_x = 64) in;
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= pixelCount) return;
-    next[i] = kNoPoint;
+    clearNext(i);
 #if DIRT_CURRENT
-    current[i] = kNoPoint;
+    clearCurrent(i);
 #endif
 #if DIRT_RAYS
     rays[i] = kNoRay;

@@ -2,7 +2,7 @@
 // Fetch: G[k+1] of each hit, by primitive id (DIRT_RASTER 0), or from what the rasterized triangle
 // has left with the records that name it (DIRT_RASTER 1).
 
-#include "include/paths.glsl"
+#include "include/points.glsl"
 #include "include/attributes.glsl"
 #if DIRT_RASTER
 #include "include/deposits.glsl"
@@ -14,7 +14,7 @@ void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= pixelCount) return;
     Hit hit = hits[i];
-    next[i] = kNoPoint;
+    clearNext(i);
     if (hit.primitive == kNoPrimitive) return;
 #if DIRT_RASTER
     uint group = groupOf[i];
@@ -26,5 +26,5 @@ void main() {
     hits[i].fetches = hit.fetches + 1u;
     Attributes attributes = attributesOf(hit.primitive);
 #endif
-    next[i] = surfaceAt(attributes, hit.primitive, hit.u, hit.v, rays[i].direction);
+    setNext(i, surfaceAt(attributes, hit.primitive, hit.u, hit.v, rays[i].direction));
 }

@@ -1,7 +1,7 @@
 #version 450 core
 // DirectVisibility, after the rasterization: G[1] of each pixel from the primitive that it sees.
 
-#include "include/paths.glsl"
+#include "include/points.glsl"
 #include "include/attributes.glsl"
 #include "include/seen_point.glsl"
 
@@ -18,11 +18,13 @@ void main() {
     if (i >= pixelCount) return;
     uvec2 pixel = uvec2((firstPixel + i) % frame.width, (firstPixel + i) / frame.width);
     uint id = texelFetch(seenPrimitives, ivec2(pixel), 0).x;
-    next[i] = kNoPoint;
-    if (id == kNoPrimitive) return;
+    if (id == kNoPrimitive) {
+        clearNext(i);
+        return;
+    }
     vec3 direction = primaryRay(directionThrough(pixel)).direction;
     TriangleHit hit;
     seenPoint(primaryRay(direction), triangleOf(id), hit);
-    next[i] = surfaceAt(attributesOf(id), id, hit.u, hit.v, direction);
+    setNext(i, surfaceAt(attributesOf(id), id, hit.u, hit.v, direction));
     atomicAdd(found, 1u);
 }

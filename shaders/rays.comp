@@ -2,7 +2,7 @@
 // Rays: from the eye for event 0; else from G[k], in directions that its lobe chooses. One that
 // would leave through the surface gets no direction: the path ends.
 
-#include "include/paths.glsl"
+#include "include/points.glsl"
 #include "include/frame.glsl"
 #include "include/triangles.glsl"
 #include "include/offset.glsl"
@@ -28,7 +28,7 @@ Scattering scatterAt(uint i, uint pixel, SurfacePoint point) {
 }
 
 PathRay scatteredRay(uint i, uint pixel) {
-    SurfacePoint point = takenFor(frame.rayType, current[i]);
+    SurfacePoint point = takenFor(frame.rayType, currentPoint(i));
     Scattering next = scatterAt(i, pixel, point);
     if (next.direction == vec3(0.0)) return kNoRay;
     precise vec3 throughput = next.weight;

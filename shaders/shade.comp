@@ -2,7 +2,7 @@
 // Shade: adds what G[k+1] emits and reflects of the light, or the background, to the pixel's
 // radiance. The scene's requirements leave out what it has none of.
 
-#include "include/paths.glsl"
+#include "include/points.glsl"
 #include "include/frame.glsl"
 #include "include/viewer.glsl"
 
@@ -27,13 +27,13 @@ void main() {
     if (!isAlive(frame.event, i)) return;
     throughput = rays[i].throughput;
 #endif
-    bool found = next[i].primitive != kNoPrimitive;
+    bool found = foundNext(i);
     if (frame.rayType == kRaysVisibility) {
         if (!found) add(i, throughput);
         return;
     }
 #if DIRT_EMISSION
-    precise vec3 emitted = throughput * next[i].emission;
+    precise vec3 emitted = throughput * nextEmission(i);
     if (found) add(i, emitted);
 #endif
 #if DIRT_BACKGROUND
@@ -44,8 +44,9 @@ void main() {
     if (!found) return;
     vec3 reflected = reflectedOfLight(i);
     if (black(reflected)) return;
-    float open = openToLight(shadowMap, frame.light, frame.shadowMap, next[i].position,
-                             next[i].geometricNormal);
+    SurfacePoint point = nextPoint(i);
+    float open = openToLight(shadowMap, frame.light, frame.shadowMap, point.position,
+                             point.geometricNormal);
     precise vec3 passing = reflected * open;
     precise vec3 arriving = throughput * passing;
     add(i, arriving);

@@ -2,7 +2,7 @@
 // The first part of Visibility: shadow rays from G[k+1] to the light, where it would add something.
 // In single mode they end where they leave the view.
 
-#include "include/paths.glsl"
+#include "include/points.glsl"
 #include "include/frame.glsl"
 #include "include/triangles.glsl"
 #include "include/offset.glsl"
@@ -23,7 +23,7 @@ layout(std430, binding = 7) buffer CountBlock {
 
 /// Whether the light would add something, if it were seen.
 bool isLit(uint i) {
-    if (!isAlive(frame.event, i) || next[i].primitive == kNoPrimitive) return false;
+    if (!isAlive(frame.event, i) || !foundNext(i)) return false;
     return !black(reflectedOfLight(i));
 }
 
@@ -37,7 +37,7 @@ void main() {
         return;
     }
     atomicAdd(asked, 1u);
-    SurfacePoint point = next[i];
+    SurfacePoint point = nextPoint(i);
     precise vec3 toLight = frame.light.position - point.position;
     vec3 origin = offsetOrigin(triangleOf(point.primitive), point.u, point.v, toLight);
     precise vec3 direction = frame.light.position - origin;

@@ -72,8 +72,9 @@ std::string commandOf(const CheckOptions& options, const Input& input) {
            (settings.fetch == Fetch::raster ? " --fetch raster" : " --fetch direct") +
            (settings.visibility == LightVisibility::traced ? " --visibility traced"
                                                            : " --visibility shadowmap") +
-           " --ray-type " + rayTypes[(size_t) settings.rayType] + " --bounces " +
-           std::to_string(settings.bounces) + " --seed " + std::to_string(settings.seed);
+           (settings.shading == Shading::full ? "" : " --shading packed") + " --ray-type " +
+           rayTypes[(size_t) settings.rayType] + " --bounces " + std::to_string(settings.bounces) +
+           " --seed " + std::to_string(settings.seed);
 }
 
 Json rowJson(const CheckRow& row) {

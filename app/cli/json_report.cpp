@@ -16,6 +16,7 @@ Json reportOf(const Input& input, const Backend& backend, const Executor& execut
     report["tile"] = grid.tile;
     report["bins"] = grid.bins;
     report["exact"] = grid.precision == Precision::exact;
+    report["shading"] = input.settings.shading == Shading::full ? "full" : "packed";
     report["size"] = {grid.width, grid.height};
     report["spp"] = input.settings.samples;
     report["bounces"] = input.settings.bounces;

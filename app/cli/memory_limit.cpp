@@ -16,7 +16,7 @@ namespace dirt {
 namespace {
 
 /// What every frame has, whatever the scene requires besides: an estimate from below.
-constexpr uint64_t kBytesPerPixel = sizeof(SurfacePoint) + 2 * sizeof(glm::vec3);
+constexpr uint64_t kBytesPerPixel = PackedPoints::kLeastBytes + 2 * sizeof(glm::vec3);
 /// Depth bounds, and a third more for the pyramid.
 constexpr uint64_t kBytesPerTile = 11;
 /// One head of a list.

@@ -49,6 +49,9 @@ void addStructureOptions(CLI::App& command, CommonOptions& o) {
     addChoice(command, "--visibility", {"traced", "shadowmap"},
               "how it is found whether the light reaches a point (default: traced)",
               [&o](size_t i) { o.visibility = (LightVisibility) i; });
+    addChoice(command, "--shading", {"full", "packed"},
+              "what surface points are kept in: 80 bytes, or rounded in 32 at most (default: full)",
+              [&o](size_t i) { o.shading = i == 0 ? Shading::full : Shading::packed; });
     addChoice(command, "--precision", {"exact", "fast"},
               "hits by exact signs, or by a plain float test that loses some (default: exact)",
               [&o](size_t i) { o.precision = i == 0 ? Precision::exact : Precision::fast; });
@@ -111,6 +114,7 @@ RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& o) {
     settings.primary = o.primary.value_or(settings.primary);
     settings.fetch = o.fetch.value_or(settings.fetch);
     settings.visibility = o.visibility.value_or(settings.visibility);
+    settings.shading = o.shading.value_or(settings.shading);
     settings.samples = o.samples.value_or(settings.samples);
     settings.bounces = o.bounces.value_or(settings.bounces);
     settings.rayType = o.rayType.value_or(settings.rayType);

@@ -38,6 +38,7 @@ struct CommonOptions {
     std::optional<Primary> primary;
     std::optional<Fetch> fetch;
     std::optional<LightVisibility> visibility;
+    std::optional<Shading> shading;
     std::optional<int> samples;
     std::optional<int> bounces;
     std::optional<uint32_t> seed;

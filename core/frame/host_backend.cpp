@@ -73,6 +73,10 @@ void HostBackend::resolve() {
     passResolve(executor_, paths_);
 }
 
+void HostBackend::writePaths(const PathBuffers& paths) {
+    paths_ = paths.packed(frame_ ? pointFormatOf(frame_->requirements) : PointFormat{}, *geometry_);
+}
+
 Grid HostBackend::readGrid() const {
     throw std::logic_error(name() + " has no grid");
 }

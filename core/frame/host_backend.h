@@ -39,8 +39,8 @@ public:
     bool hasGrid() const override { return false; }
     Grid readGrid() const override;
     void writeGrid(const Grid& grid) override;
-    PathBuffers readPaths() const override { return paths_; }
-    void writePaths(const PathBuffers& paths) override { paths_ = paths; }
+    PathBuffers readPaths() const override { return paths_.unpacked(*geometry_); }
+    void writePaths(const PathBuffers& paths) override;
     std::vector<float> readShadowMap() const override { return shadowDepths_; }
     void writeShadowMap(const std::vector<float>& depths) override { shadowDepths_ = depths; }
     std::vector<glm::vec3> readImage() const override { return paths_.image; }
@@ -50,7 +50,7 @@ public:
     std::vector<BufferSize> memory() const override;
     uint64_t listEntries() const override { return 0; }
 
-    /// The buffers themselves.
+    /// The buffers themselves; of packed points the words.
     const FrameGeometry& geometry() const { return *geometry_; }
     const PathBuffers& paths() const { return paths_; }
 

@@ -46,10 +46,11 @@ std::vector<PlannedBuffer> planPaths(const Requirements& need, const GridSetting
         if (wanted) plan.push_back({name, pixels * record, reason});
     };
     const bool rays = need.indirect || need.tracedPrimary;
-    add("shading buffer G[k-1]", need.previousPoint, sizeof(SurfacePoint), "asked for");
-    add("shading buffer G[k]", need.indirect || need.previousPoint, sizeof(SurfacePoint),
+    const size_t point = pointFormatOf(need).bytes();
+    add("shading buffer G[k-1]", need.previousPoint, point, "asked for");
+    add("shading buffer G[k]", need.indirect || need.previousPoint, point,
         "where indirect rays start");
-    add("shading buffer G[k+1]", true, sizeof(SurfacePoint), "what the rays have found");
+    add("shading buffer G[k+1]", true, point, "what the rays have found");
     add("mask", need.indirect, sizeof(uint8_t), "paths that go on");
     add("rays", rays, sizeof(PathRay), need.indirect ? "indirect rays" : "traced primary rays");
     add("hit buffer", rays, sizeof(Hit), "at most one hit a pixel");

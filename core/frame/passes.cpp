@@ -53,10 +53,16 @@ glm::vec3 towardsViewer(const FrameContext& frame, int event, const PathBuffers&
                                                   : -unitVector(paths.rays[pixel].direction);
 }
 
-/// What the surface at G[k+1] reflects of the light, unless something is between them.
+StoredPoint nextPoint(const FrameContext& frame, const PathBuffers& paths, size_t pixel) {
+    return {frame.geometry, paths.next, paths.packedNext, pixel};
+}
+StoredPoint currentPoint(const FrameContext& frame, const PathBuffers& paths, size_t pixel) {
+    return {frame.geometry, paths.current, paths.packedCurrent, pixel};
+}
+
+/// What the surface \p point, G[k+1], reflects of the light, unless something is between them.
 glm::vec3 reflectedOfLight(const FrameContext& frame, int event, const PathBuffers& paths,
-                           size_t pixel) {
-    const SurfacePoint& point = paths.next[pixel];
+                           size_t pixel, const SurfacePoint& point) {
     const LightSample light = sampleSpotlight(*frame.light, point.position);
     if (!isGlossy(point)) return reflectedRadiance(point, light);
     return reflectedRadiance(point, frame.microfacets,
@@ -65,10 +71,9 @@ glm::vec3 reflectedOfLight(const FrameContext& frame, int event, const PathBuffe
 
 /// What the surface at G[k+1] reflects of the light that its shadow map lets through.
 glm::vec3 litThroughMap(const FrameContext& frame, int event, std::span<const float> depths,
-                        const PathBuffers& paths, size_t pixel) {
-    const glm::vec3 reflected = reflectedOfLight(frame, event, paths, pixel);
+                        const PathBuffers& paths, size_t pixel, const SurfacePoint& point) {
+    const glm::vec3 reflected = reflectedOfLight(frame, event, paths, pixel, point);
     if (black(reflected)) return glm::vec3(0.0f);
-    const SurfacePoint& point = paths.next[pixel];
     const ShadowTexels texels{depths.data(), frame.shadowMap->resolution};
     return reflected * openToLight(texels, *frame.light, *frame.shadowMap, point.position,
                                    point.geometricNormal);
@@ -86,7 +91,7 @@ Scattering scatterAt(const FrameContext& frame, const RandomNumbers& random, int
 PathRay scatteredRay(const FrameContext& frame, uint32_t pixel, uint32_t sample, int event,
                      const PathBuffers& paths) {
     const RandomNumbers random{pixel, sample, (uint) event, frame.settings.seed};
-    const SurfacePoint point = takenFor(frame.rayType, paths.current[pixel]);
+    const SurfacePoint point = takenFor(frame.rayType, *currentPoint(frame, paths, pixel));
     const Scattering next = scatterAt(frame, random, event, paths, point);
     if (next.direction == glm::vec3(0.0f)) return {};
     glm::vec3 throughput = next.weight;
@@ -126,13 +131,16 @@ FrameContext::FrameContext(const Scene& scene, const FrameGeometry& geometry,
 }
 
 void passDepthMask(const FrameContext& frame, Executor& executor, int event, PathBuffers& paths) {
-    const auto reflects = [&](const SurfacePoint& point) {
-        return !black(point.diffuse) || isGlossy(point) || frame.rayType == kRaysVisibility;
+    const auto reflects = [&](size_t pixel) {
+        if (frame.rayType == kRaysVisibility) return true;
+        if (paths.packedCurrent.empty())
+            return !black(paths.current[pixel].diffuse) || isGlossy(paths.current[pixel]);
+        const PackedPoint point = paths.packedCurrent[pixel]; // the rest of it does not matter
+        return !black(diffuseOf(point)) || isGlossy(point.gloss);
     };
     executor.forRange(paths.mask.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
-            paths.mask[i] = (event == 1 || paths.mask[i]) && paths.current[i].found() &&
-                            reflects(paths.current[i]);
+            paths.mask[i] = (event == 1 || paths.mask[i]) && paths.foundCurrent(i) && reflects(i);
     });
 }
 
@@ -187,10 +195,12 @@ void passFetch(const FrameContext& frame, Executor& executor, PathBuffers& paths
     executor.forRange(paths.hits.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             Hit& hit = paths.hits[i];
-            paths.next[i] = {};
+            paths.clearNext(i);
             if (!hit.found()) continue;
-            paths.next[i] = fetchSurface(frame.scene, frame.geometry, paths.rays[i].direction,
-                                         hit.primitive, hit.u, hit.v);
+            paths.setNext(i,
+                          fetchSurface(frame.scene, frame.geometry, paths.rays[i].direction,
+                                       hit.primitive, hit.u, hit.v),
+                          frame.geometry);
             ++hit.fetches;
         }
     });
@@ -199,10 +209,10 @@ void passFetch(const FrameContext& frame, Executor& executor, PathBuffers& paths
 void passVisibility(const FrameContext& frame, Executor& executor, Tracer& tracer, int event,
                     PathBuffers& paths, FrameCounts& counts) {
     if (!frame.requirements.shadowRays) return;
-    const auto pixels = compact(executor, paths.next.size(), kGrain, [&](size_t i) {
+    const auto pixels = compact(executor, paths.pixels(), kGrain, [&](size_t i) {
         paths.visibility[i] = 0;
-        return paths.alive(event, i) && paths.next[i].found() &&
-               !black(reflectedOfLight(frame, event, paths, i));
+        return paths.alive(event, i) && paths.foundNext(i) &&
+               !black(reflectedOfLight(frame, event, paths, i, *nextPoint(frame, paths, i)));
     });
     std::vector<Ray> rays(std::min(kRaysPerCast, pixels.size()));
     std::vector<float> maxT(rays.size());
@@ -211,8 +221,9 @@ void passVisibility(const FrameContext& frame, Executor& executor, Tracer& trace
         const size_t count = slice.size();
         executor.forRange(count, kGrain, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
-                const SurfacePoint& point = paths.next[slice[i]];
-                Ray ray = leavingRay(frame.geometry, point, frame.light->position - point.position);
+                const StoredPoint point = nextPoint(frame, paths, slice[i]);
+                Ray ray =
+                    leavingRay(frame.geometry, *point, frame.light->position - point->position);
                 ray.direction = frame.light->position - ray.origin;
                 rays[i] = ray;
                 maxT[i] = frame.view ? std::min(frame.view->part(ray).end, 1.0f) : 1.0f;
@@ -228,30 +239,31 @@ void passShade(const FrameContext& frame, Executor& executor, int event,
                std::span<const float> shadowDepths, PathBuffers& paths) {
     // In single mode a secondary ray that leaves the view returns nothing.
     const bool seesBackground = event == 0 || frame.settings.grid.mode == ViewMode::full;
-    executor.forRange(paths.next.size(), kGrain, [&](size_t begin, size_t end) {
+    executor.forRange(paths.pixels(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             if (!paths.alive(event, i)) continue;
-            const SurfacePoint& point = paths.next[i];
+            const StoredPoint point = nextPoint(frame, paths, i);
             const glm::vec3 throughput = event == 0 ? glm::vec3(1.0f) : paths.rays[i].throughput;
             if (frame.rayType == kRaysVisibility)
-                paths.radiance[i] += point.found() ? glm::vec3(0.0f) : throughput;
-            else if (point.found())
-                paths.radiance[i] += throughput * point.emission;
+                paths.radiance[i] += point->found() ? glm::vec3(0.0f) : throughput;
+            else if (point->found())
+                paths.radiance[i] += throughput * point->emission;
             else if (seesBackground)
                 paths.radiance[i] += throughput * frame.scene.background;
             if (frame.requirements.shadowRays && paths.visibility[i])
-                paths.radiance[i] += throughput * reflectedOfLight(frame, event, paths, i);
-            if (frame.shadowMap && point.found())
+                paths.radiance[i] += throughput * reflectedOfLight(frame, event, paths, i, *point);
+            if (frame.shadowMap && point->found())
                 paths.radiance[i] +=
-                    throughput * litThroughMap(frame, event, shadowDepths, paths, i);
+                    throughput * litThroughMap(frame, event, shadowDepths, paths, i, *point);
         }
     });
 }
 
 void passShift(PathBuffers& paths) {
-    if (paths.current.empty()) return;
     if (!paths.previous.empty()) paths.previous.swap(paths.current);
-    paths.current.swap(paths.next);
+    if (!paths.current.empty()) paths.current.swap(paths.next);
+    if (!paths.packedPrevious.empty()) paths.packedPrevious.swap(paths.packedCurrent);
+    if (!paths.packedCurrent.empty()) paths.packedCurrent.swap(paths.packedNext);
 }
 
 void passResolve(Executor& executor, PathBuffers& paths) {

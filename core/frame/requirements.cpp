@@ -81,6 +81,7 @@ Requirements requirementsOf(const Scene& scene, const RenderSettings& settings, 
     need.shadingNormals = countNormals(scene.mesh) > 0;
     need.indirect = settings.bounces > 1;
     need.lens = scene.camera.apertureRadius > 0.0f;
+    need.packedShading = settings.shading == Shading::packed;
     need.tracedPrimary = settings.primary == Primary::traced || need.lens || !rasterizes;
     return need;
 }
@@ -127,6 +128,8 @@ std::vector<RequirementReason> explain(const Requirements& need, const Scene& sc
          : settings.primary == Primary::traced ? "asked for"
          : need.lens                           ? "the lens has an aperture"
                                                : "direct visibility is rasterized"},
+        {"packed shading", need.packedShading,
+         need.packedShading ? "asked for" : "surface points are kept in full"},
         {"G[k-1]", need.previousPoint,
          need.previousPoint ? "asked for" : "the rays say from where their hits are seen"},
     };

@@ -22,11 +22,12 @@ struct Requirements {
     bool gloss = false;               ///< microfacets: the direction to the viewer matters
     bool reflectanceTextures = false; ///< reflectance of microfacets from a map_Ks
     bool bumps = false;               ///< normals from heights
-    bool cutOuts = false;             ///< surfaces with holes: candidates for a hit are looked up
+    bool cutOuts = false;             ///< surfaces with holes or one side: candidates are looked up
     bool shadingNormals = false;      ///< interpolated normals
     bool indirect = false;            ///< more than direct light: rays, hits, mask, G[k]
     bool lens = false;                ///< an aperture: primary rays differ by where they pass it
     bool tracedPrimary = false;       ///< rays and hits for the first surface, too
+    bool packedShading = false;       ///< surface points are rounded to 32 bytes at most
     bool previousPoint = false;       ///< G[k-1]: for inspection alone, as the rays say from where
                                       ///< their hit is seen
 };

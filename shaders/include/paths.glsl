@@ -9,12 +9,14 @@ layout(std430, binding = 0) buffer RaysBlock {
 layout(std430, binding = 1) buffer HitsBlock {
     Hit hits[];
 };
+#ifndef DIRT_POINT_WORDS
 layout(std430, binding = 2) buffer CurrentBlock {
     SurfacePoint current[]; // G[k]
 };
 layout(std430, binding = 3) buffer NextBlock {
     SurfacePoint next[]; // G[k+1]
 };
+#endif
 layout(std430, binding = 4) buffer RadianceBlock {
     float radiance[]; // three a pixel
 };

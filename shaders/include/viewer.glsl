@@ -2,7 +2,7 @@
 // matters.
 
 #include "include/frame.glsl"
-#include "include/paths.glsl"
+#include "include/points.glsl"
 #include "shared/reflection.h"
 #include "shared/surface.h"
 #if DIRT_GLOSS
@@ -20,7 +20,7 @@ vec3 towardsViewer(int event, uint i, SurfacePoint point) {
 
 /// What the surface at G[k+1] reflects of the light, unless something is between them.
 vec3 reflectedOfLight(uint i) {
-    SurfacePoint point = next[i];
+    SurfacePoint point = nextPoint(i);
     LightSample light = sampleSpotlight(frame.light, point.position);
 #if DIRT_GLOSS
     if (isGlossy(point))

@@ -47,8 +47,11 @@ DIRT_FUNCTION uint packGloss(float reflectance, float metallic) {
 }
 
 /// Whether the surface has microfacets.
+DIRT_FUNCTION bool isGlossy(uint gloss) {
+    return (gloss & 0xffffu) != 0u;
+}
 DIRT_FUNCTION bool isGlossy(SurfacePoint point) {
-    return (point.gloss & 0xffffu) != 0u;
+    return isGlossy(point.gloss);
 }
 
 /// What indirect rays take every surface for; the values of RayType.

@@ -169,7 +169,8 @@ TEST(GlPasses, EqualTheCpusOnSmallScenes) {
     }
 }
 
-/// Microfacets of all models, bumps, cut-outs, emission from textures, a lens, roulette.
+/// Microfacets of all models, bumps, cut-outs, emission from textures, a lens, roulette, points in
+/// full and packed.
 TEST(GlPasses, EqualTheCpusOnMaterials) {
     ThreadPool pool(2);
     int index = 0;
@@ -182,6 +183,7 @@ TEST(GlPasses, EqualTheCpusOnMaterials) {
         settings.fetch = index % 2 ? Fetch::direct : Fetch::raster;
         settings.rayType = index == 1 ? RayType::glossy : RayType::normal;
         settings.primary = std::string(name) == "cards" ? Primary::traced : Primary::raster;
+        settings.shading = index == 1 || index == 2 ? Shading::packed : Shading::full;
         const std::string file =
             std::string(DIRT_SOURCE_DIR "/tests/golden/scenes/") + name + ".scene";
         const LoadedScene loaded = loadScene(file, {});

@@ -24,28 +24,51 @@ std::vector<SurfaceVariant> surfaceVariants() {
     return variants;
 }
 
-void addPathPasses(std::vector<ProgramSource>& all) {
-    all.insert(all.end(),
-               {depthMaskSource(), groupHitsSource(), visibilitySource(), resolveSource()});
-    for (int has = 0; has < 4; ++has)
-        all.push_back(clearPathsSource((has & 1) != 0, (has & 2) != 0));
-    for (bool gloss : {false, true}) {
-        for (bool scatters : {false, true}) all.push_back(raysSource(scatters, gloss));
+/// Points in full; packed, with all words and with those alone that every point has.
+std::vector<PointFormat> pointFormats() {
+    Requirements need;
+    std::vector<PointFormat> formats = {pointFormatOf(need)};
+    need.packedShading = true;
+    formats.push_back(pointFormatOf(need));
+    need.shadingNormals = need.emission = need.gloss = true;
+    formats.push_back(pointFormatOf(need));
+    return formats;
+}
+
+/// Of packed points those variants that have most: words are read alike whatever else there is.
+void addPointPasses(const PointFormat& format, std::vector<ProgramSource>& all) {
+    const bool packed = format.packed();
+    all.push_back(depthMaskSource(format));
+    for (int has = packed ? 3 : 0; has < 4; ++has)
+        all.push_back(clearPathsSource(format, (has & 1) != 0, (has & 2) != 0));
+    for (int gloss = packed ? 1 : 0; gloss < 2; ++gloss) {
+        for (bool scatters : {false, true}) all.push_back(raysSource(format, scatters, gloss));
         for (ViewMode mode : {ViewMode::full, ViewMode::single})
-            all.push_back(shadowRaysSource(mode, gloss));
-        for (int has : fullTests() ? std::vector{0, 1, 2, 3, 4, 5, 6, 7}
-                                   : std::vector{0, 3, 5, 6}) // each pair of them
+            all.push_back(shadowRaysSource(format, mode, gloss));
+        for (int has : packed        ? std::vector{7}
+                       : fullTests() ? std::vector{0, 1, 2, 3, 4, 5, 6, 7}
+                                     : std::vector{0, 3, 5, 6}) // each pair of them
             for (LightShading light :
                  {LightShading::none, LightShading::traced, LightShading::shadowMap})
-                all.push_back(
-                    shadeSource((has & 1) != 0, (has & 2) != 0, (has & 4) != 0, light, gloss));
+                all.push_back(shadeSource(format, (has & 1) != 0, (has & 2) != 0, (has & 4) != 0,
+                                          light, gloss));
     }
+    std::vector<SurfaceVariant> variants = surfaceVariants();
+    if (packed) variants.resize(1);
+    for (const SurfaceVariant& surfaces : variants) {
+        all.push_back(firstPointsSource(format, surfaces));
+        for (bool raster : {false, true}) all.push_back(fetchSource(format, surfaces, raster));
+    }
+}
+
+void addPathPasses(std::vector<ProgramSource>& all) {
+    all.insert(all.end(), {groupHitsSource(), visibilitySource(), resolveSource()});
+    for (const PointFormat& format : pointFormats()) addPointPasses(format, all);
     for (const SurfaceVariant& surfaces : surfaceVariants()) {
-        all.insert(all.end(), {firstPointsSource(surfaces), fetchAtEyeSource(surfaces),
-                               directVisibilitySource(surfaces), shadowMapSource(surfaces)});
+        all.insert(all.end(), {fetchAtEyeSource(surfaces), directVisibilitySource(surfaces),
+                               shadowMapSource(surfaces)});
         for (Search search : {Search::any, Search::paths})
             all.push_back(traceSource(search, Precision::exact, 13, 24, &surfaces));
-        for (bool raster : {false, true}) all.push_back(fetchSource(surfaces, raster));
         for (ViewMode mode : {ViewMode::full, ViewMode::single})
             all.push_back(rasterFetchSource(mode, surfaces));
     }
