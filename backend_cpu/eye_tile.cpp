@@ -1,5 +1,6 @@
 #include "backend_cpu/eye_tile.h"
 
+#include "core/trace/holes.h"
 #include "core/trace/intersect.h"
 
 #include <algorithm>
@@ -24,7 +25,9 @@ constexpr float kLeast = 0x1p-60f, kMost = 0x1p60f;
 void resolve(const FrameGeometry& geometry, uint32_t id, int pixel, EyeTile& tile) {
     const Ray ray = tile.ray(pixel);
     TriangleHit hit, seen;
-    if (!intersect(ray, geometry.triangles[id], hit) || !geometry.holds(id, hit.u, hit.v)) return;
+    if (!intersect(ray, geometry.triangles[id], hit) ||
+        !isHit(geometry, ray.direction, id, hit.u, hit.v))
+        return;
     if (tile.id[pixel] != kNoPrimitive) {
         intersect(ray, geometry.triangles[tile.id[pixel]], seen);
         if (seen.t < hit.t || (seen.t == hit.t && tile.id[pixel] < id)) return;

@@ -1,6 +1,7 @@
 #include "backend_cpu/tracer.h"
 
 #include "core/grid/denormals.h"
+#include "core/trace/holes.h"
 #include "core/trace/intersect.h"
 #include "core/trace/plain_intersect.h"
 #include "core/trace/ray_filter.h"
@@ -158,7 +159,9 @@ public:
             if (!decide(tracer_, ray_, triangle, hit)) return;
             const bool nearer =
                 !best.found() || hit.t < best.t || (hit.t == best.t && id < best.primitive);
-            if (!nearer || !seen_.holds(hit.t) || !tracer_.geometry.holds(id, hit.u, hit.v)) return;
+            if (!nearer || !seen_.holds(hit.t) ||
+                !isHit(tracer_.geometry, ray_.direction, id, hit.u, hit.v))
+                return;
             best = {id, hit.t, hit.u, hit.v, 0, 0};
             limit = beyond(hit.t);
             located_ = false;
@@ -196,7 +199,7 @@ public:
         ++counts.exact;
         TriangleHit hit;
         if (decide(tracer_, ray_, triangle, hit) && hit.t < maxT_ && seen_.holds(hit.t) &&
-            tracer_.geometry.holds(id, hit.u, hit.v)) {
+            isHit(tracer_.geometry, ray_.direction, id, hit.u, hit.v)) {
             found = true;
             limit = -1.0; // ends everything
         }

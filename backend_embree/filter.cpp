@@ -1,4 +1,5 @@
 #include "backend_embree/filter.h"
+#include "core/trace/holes.h"
 
 namespace dirt {
 
@@ -28,7 +29,7 @@ bool skipped(const QueryContext& query, uint32_t primitive) {
 bool accepted(const QueryContext& query, uint32_t primitive, TriangleHit& hit) {
     return !skipped(query, primitive) &&
            intersect(*query.ray, query.geometry->triangles[primitive], hit) &&
-           query.geometry->holds(primitive, hit.u, hit.v);
+           isHit(*query.geometry, query.ray->direction, primitive, hit.u, hit.v);
 }
 
 } // namespace

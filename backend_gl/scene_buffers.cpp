@@ -92,7 +92,9 @@ void SceneBuffers::uploadMaterials(const Scene& scene) {
         words.push_back(wordsOf(m.emission, m.emissionMap));
         words.push_back(
             wordsOf(glm::vec3(m.reflectance, m.metallic, m.roughness), ofData(m.reflectanceMap)));
-        words.push_back({std::bit_cast<uint32_t>(m.opacity), std::bit_cast<uint32_t>(m.bumpScale),
+        // Its sign says whether the surface has one side.
+        const float opacity = m.doubleSided ? m.opacity : -m.opacity;
+        words.push_back({std::bit_cast<uint32_t>(opacity), std::bit_cast<uint32_t>(m.bumpScale),
                          ofData(m.bumpMap), ofData(m.opacityMap)});
     }
     materials_ = texelBuffer(GL_RGBA32UI, sizeof(Words), words, "materials");

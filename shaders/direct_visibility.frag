@@ -7,7 +7,7 @@
 #include "include/triangles.glsl"
 #include "include/seen_point.glsl"
 #if DIRT_CUT_OUTS
-#include "include/materials.glsl"
+#include "include/holes.glsl"
 #endif
 
 layout(location = 0) out uint seenPrimitive;
@@ -15,10 +15,10 @@ layout(location = 0) out uint seenPrimitive;
 void main() {
     uint id = uint(gl_PrimitiveID);
     TriangleHit hit;
-    if (!seenPoint(primaryRay(directionThrough(uvec2(gl_FragCoord.xy))), triangleOf(id), hit))
-        discard;
+    Ray ray = primaryRay(directionThrough(uvec2(gl_FragCoord.xy)));
+    if (!seenPoint(ray, triangleOf(id), hit)) discard;
 #if DIRT_CUT_OUTS
-    if (!isThere(id, hit.u, hit.v)) discard;
+    if (!isHit(ray.direction, id, hit.u, hit.v)) discard;
 #endif
     seenPrimitive = id;
     gl_FragDepth = hit.t * 0.125; // exact, and below 1: no coordinate is 2 or more

@@ -6,7 +6,7 @@
 #include "shared/layouts.h"
 #include "include/intersect.glsl"
 #if DIRT_CUT_OUTS
-#include "include/materials.glsl"
+#include "include/holes.glsl"
 #endif
 
 flat in uint primitive;
@@ -23,7 +23,7 @@ void main() {
     TriangleHit hit;
     if (!intersect(ray, triangle, hit) || !castsShadow(frame.shadowMap, hit.t)) discard;
 #if DIRT_CUT_OUTS
-    if (!isThere(primitive, hit.u, hit.v)) discard;
+    if (!isHit(-direction, primitive, hit.u, hit.v)) discard; // as the shadow ray, which comes back
 #endif
     nearest = hit.t;
 }

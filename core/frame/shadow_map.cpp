@@ -1,6 +1,7 @@
 #include "core/frame/shadow_map.h"
 
 #include "core/grid/denormals.h"
+#include "core/trace/holes.h"
 #include "core/trace/intersect.h"
 
 #include <algorithm>
@@ -30,7 +31,9 @@ bool casts(const FrameGeometry& geometry, const ShadowMap& map, const Ray& ray, 
            float& depth) {
     TriangleHit hit;
     if (!intersect(ray, geometry.triangles[id], hit) || !castsShadow(map, hit.t)) return false;
-    if (geometry.mayHaveHoles(id) && !geometry.holds(id, hit.u, hit.v)) return false;
+    // As the shadow ray, which comes back.
+    if (geometry.mayHaveHoles(id) && !isHit(geometry, -ray.direction, id, hit.u, hit.v))
+        return false;
     depth = hit.t;
     return true;
 }

@@ -40,14 +40,11 @@ struct GridFrame {
 struct FrameGeometry {
     GridFrame frame;
     std::vector<Triangle> triangles; ///< the triangle buffer; the index is the primitive id
-    /// The scene whose materials cut holes, alive while rays are cast; null: there are none.
+    /// The scene whose materials cut holes or have one side, alive while rays are cast; null: there
+    /// are none.
     const Scene* cutOuts = nullptr;
 
-    /// Whether a ray that meets \p primitive at barycentric weights (\p u, \p v) hits it.
-    bool holds(uint32_t primitive, float u, float v) const {
-        return !cutOuts || isThere(*cutOuts, primitive, u, v);
-    }
-    /// Whether that has to be asked.
+    /// Whether isHit (core/trace/holes.h) has to be asked.
     bool mayHaveHoles(uint32_t primitive) const {
         return cutOuts && cutOuts->materials[cutOuts->mesh.materials[primitive]].hasCutOuts();
     }

@@ -45,6 +45,7 @@ public:
         Material& material = surface.material;
         material.name = printable(source.text("name").value_or(""));
         material.diffuse = glm::vec3(1.0f);
+        material.doubleSided = source.boolean("doubleSided").value_or(false);
         surface.metallic = surface.roughness = 1.0f;
         float alpha = 1.0f;
         if (const auto pbr = source.object("pbrMetallicRoughness"))

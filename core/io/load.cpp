@@ -38,6 +38,7 @@ struct Placed {
     fs::path file;
     glm::dmat4 toSpace{1.0};
     uint32_t space = MovingSpace::kWorld;
+    bool doubleSided = true;
 };
 
 /// Reads each file once, on threads, and places what it holds as often as it is named.
@@ -57,7 +58,7 @@ void placeModels(const std::vector<Placed>& list, bool cache, const LoadOptions&
     builder.readTexturesAhead(models, executor, options.progress);
     for (const Placed& placed : list) {
         const size_t positions = scene.mesh.positions.size(), normals = scene.mesh.normals.size();
-        builder.add(models[places[placed.file]], placed.toSpace);
+        builder.add(models[places[placed.file]], placed.toSpace, placed.doubleSided);
         if (placed.space != MovingSpace::kWorld)
             addMovingPart(scene.mesh, placed.space, positions, normals, scene.animation);
     }
@@ -78,7 +79,8 @@ void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport&
     scene.animation = source.animation;
     std::vector<Placed> list;
     for (const SceneFile::Object& object : source.objects)
-        list.push_back({findObject(source, object), object.toSpace, object.space});
+        list.push_back(
+            {findObject(source, object), object.toSpace, object.space, object.doubleSided});
     placeModels(list, options.cache && source.cache, options, report, scene);
 }
 

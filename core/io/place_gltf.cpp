@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
 namespace dirt {
@@ -19,14 +20,15 @@ public:
     PrimitivePlacer(const GltfFile& gltf, const GltfFile::Primitive& source,
                     const glm::dmat4& toWorld, Mesh& mesh)
         : gltf_(gltf), source_(source), toWorld_(toWorld),
-          normalToWorld_(normalMatrix(glm::dmat3(toWorld))), mesh_(mesh),
+          normalToWorld_(normalMatrix(glm::dmat3(toWorld))),
+          mirrors_(glm::determinant(glm::dmat3(toWorld)) < 0.0), mesh_(mesh),
           vertices_(source.positions.size()) {}
 
     void place(uint32_t material) {
         for (const auto& triangle : source_.triangles) {
             Corners positions, normals, texcoords;
             for (size_t i = 0; i < 3; ++i) {
-                const Vertex& vertex = placed(triangle[i]);
+                const Vertex& vertex = placed(triangle[mirrors_ && i > 0 ? 3 - i : i]);
                 positions[i] = vertex.position;
                 normals[i] = vertex.normal;
                 texcoords[i] = vertex.texcoord;
@@ -82,6 +84,7 @@ private:
     const GltfFile::Primitive& source_;
     glm::dmat4 toWorld_;
     glm::dmat3 normalToWorld_;
+    bool mirrors_; ///< front and back change places, so corners do
     Mesh& mesh_;
     std::vector<Vertex> vertices_;
 };

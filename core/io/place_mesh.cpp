@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
 namespace dirt {
@@ -18,8 +19,9 @@ class MeshPlacer {
 public:
     MeshPlacer(const ObjFile& obj, const glm::dmat4& toWorld, Mesh& mesh)
         : obj_(obj), toWorld_(toWorld), normalToWorld_(normalMatrix(glm::dmat3(toWorld))),
-          mesh_(mesh), positions_(obj.positions.size(), kPending),
-          normals_(obj.normals.size(), kPending), texcoords_(obj.texcoords.size(), kPending) {}
+          mirrors_(glm::determinant(glm::dmat3(toWorld)) < 0.0), mesh_(mesh),
+          positions_(obj.positions.size(), kPending), normals_(obj.normals.size(), kPending),
+          texcoords_(obj.texcoords.size(), kPending) {}
 
     void place(const std::vector<uint32_t>& materials) {
         for (const ObjFile::Face& face : obj_.faces)
@@ -48,8 +50,8 @@ private:
     }
 
     Corners gather(const EarClipper::Ear& ear, uint32_t ObjFile::Corner::*attribute) const {
-        return {corners_[ear[0]].*attribute, corners_[ear[1]].*attribute,
-                corners_[ear[2]].*attribute};
+        return {corners_[ear[0]].*attribute, corners_[ear[mirrors_ ? 2 : 1]].*attribute,
+                corners_[ear[mirrors_ ? 1 : 2]].*attribute};
     }
 
     static Corners allOrNone(const Corners& c) {
@@ -96,6 +98,7 @@ private:
     const ObjFile& obj_;
     glm::dmat4 toWorld_;
     glm::dmat3 normalToWorld_;
+    bool mirrors_; ///< front and back change places, so corners do
     Mesh& mesh_;
     /// Where each of the file's attributes is in the mesh; kPending before its first use.
     std::vector<uint32_t> positions_, normals_, texcoords_;

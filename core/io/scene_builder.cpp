@@ -19,16 +19,16 @@ void SceneBuilder::readTexturesAhead(const std::vector<Model>& models, Executor&
     SceneBuilder announcing(scene, report);
     announcing.textures_.announce();
     for (const Model& model : models)
-        std::visit([&](const auto& file) { announcing.resolveMaterials(file); }, model.file);
+        std::visit([&](const auto& file) { announcing.resolveMaterials(file, true); }, model.file);
     textures_.readAhead(announcing.textures_, executor, progress);
 }
 
-void SceneBuilder::add(const Model& model, const glm::dmat4& toWorld) {
+void SceneBuilder::add(const Model& model, const glm::dmat4& toWorld, bool doubleSided) {
     report_.append(model.report);
     if (const auto* obj = std::get_if<ObjFile>(&model.file))
-        placeMesh(*obj, toWorld, resolveMaterials(*obj), scene_.mesh);
+        placeMesh(*obj, toWorld, resolveMaterials(*obj, doubleSided), scene_.mesh);
     else if (const auto* gltf = std::get_if<GltfFile>(&model.file))
-        placeGltf(*gltf, toWorld, resolveMaterials(*gltf), scene_.mesh);
+        placeGltf(*gltf, toWorld, resolveMaterials(*gltf, doubleSided), scene_.mesh);
 }
 
 /// Every material of the files that mtllib names; of equal names the first counts.
@@ -68,7 +68,7 @@ void SceneBuilder::readLibrary(const fs::path& file, Library& library) {
 }
 
 /// For each of the file's material names its place in the scene; last, that of unnamed ones.
-std::vector<uint32_t> SceneBuilder::resolveMaterials(const ObjFile& obj) {
+std::vector<uint32_t> SceneBuilder::resolveMaterials(const ObjFile& obj, bool doubleSided) {
     const Library library = readLibraries(obj);
     std::vector<bool> used(obj.materialNames.size() + 1, false);
     for (const ObjFile::Face& face : obj.faces)
@@ -82,29 +82,33 @@ std::vector<uint32_t> SceneBuilder::resolveMaterials(const ObjFile& obj) {
             report_.warn(WarningKind::undefinedMaterial, obj.file, name.line,
                          "material " + inQuotes(name.text) + " is not defined");
         if (!used[i]) continue;
-        places[i] = found == library.end() ? neutralMaterial(name.text)
-                                           : addMaterial(found->second.first, found->second.second);
+        places[i] = found == library.end()
+                        ? neutralMaterial(name.text, doubleSided)
+                        : addMaterial(found->second.first, found->second.second, doubleSided);
     }
-    if (used.back()) places.back() = neutralMaterial("");
+    if (used.back()) places.back() = neutralMaterial("", doubleSided);
     return places;
 }
 
-uint32_t SceneBuilder::neutralMaterial(const std::string& name) {
-    const auto [entry, isNew] =
-        materials_.try_emplace({std::string(), name}, (uint32_t) scene_.materials.size());
+uint32_t SceneBuilder::neutralMaterial(const std::string& name, bool doubleSided) {
+    const auto [entry, isNew] = materials_.try_emplace({std::string(), name, doubleSided},
+                                                       (uint32_t) scene_.materials.size());
     if (isNew) {
         Material material;
         material.name = printable(name);
+        material.doubleSided = doubleSided;
         scene_.materials.push_back(std::move(material));
     }
     return entry->second;
 }
 
-uint32_t SceneBuilder::addMaterial(const fs::path& library, const MtlMaterial& source) {
-    const auto [entry, isNew] =
-        materials_.try_emplace({library.string(), source.name}, (uint32_t) scene_.materials.size());
+uint32_t SceneBuilder::addMaterial(const fs::path& library, const MtlMaterial& source,
+                                   bool doubleSided) {
+    const auto [entry, isNew] = materials_.try_emplace({library.string(), source.name, doubleSided},
+                                                       (uint32_t) scene_.materials.size());
     if (!isNew) return entry->second;
     Material material = source.material;
+    material.doubleSided = doubleSided;
     material.diffuseMap = loadTexture(library, source.diffuse);
     // Kd says nothing of what the texture would have shown; often it is black.
     if (!source.diffuse.file.empty() && material.diffuseMap == kNoTexture)
@@ -142,25 +146,26 @@ uint32_t SceneBuilder::loadOpacity(const fs::path& library, const MtlMaterial& s
 }
 
 /// For each of the file's surfaces its place in the scene; last, that of none.
-std::vector<uint32_t> SceneBuilder::resolveMaterials(const GltfFile& gltf) {
+std::vector<uint32_t> SceneBuilder::resolveMaterials(const GltfFile& gltf, bool doubleSided) {
     std::vector<bool> used(gltf.surfaces.size() + 1, false);
     for (const GltfFile::Instance& instance : gltf.instances)
         for (const GltfFile::Primitive& primitive : gltf.meshes[instance.mesh])
             used[std::min<size_t>(primitive.surface, gltf.surfaces.size())] = true;
     std::vector<uint32_t> places(used.size(), 0);
     for (size_t i = 0; i < gltf.surfaces.size(); ++i)
-        if (used[i]) places[i] = addSurface(gltf, i);
-    if (used.back()) places.back() = neutralMaterial("");
+        if (used[i]) places[i] = addSurface(gltf, i, doubleSided);
+    if (used.back()) places.back() = neutralMaterial("", doubleSided);
     return places;
 }
 
-uint32_t SceneBuilder::addSurface(const GltfFile& gltf, size_t index) {
-    const auto [entry, isNew] =
-        materials_.try_emplace({gltf.file.string(), "materials[" + std::to_string(index) + "]"},
-                               (uint32_t) scene_.materials.size());
+uint32_t SceneBuilder::addSurface(const GltfFile& gltf, size_t index, bool doubleSided) {
+    const auto [entry, isNew] = materials_.try_emplace(
+        {gltf.file.string(), "materials[" + std::to_string(index) + "]", doubleSided},
+        (uint32_t) scene_.materials.size());
     if (!isNew) return entry->second;
     const GltfFile::Surface& surface = gltf.surfaces[index];
     Material material = surface.material;
+    material.doubleSided |= doubleSided;
     const auto sourceOf = [&](uint32_t image) { return gltf.images[image].source(gltf.file); };
     if (surface.colourImage != GltfFile::kNone) {
         const auto source = sourceOf(surface.colourImage);

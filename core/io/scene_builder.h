@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -33,18 +34,20 @@ public:
     /// float32 once. Throws InputError where an MTL file is bad (see readMtl) or a transformed
     /// vertex does not fit in float32. A missing MTL file, an undefined material and a missing or
     /// damaged texture are warnings; Material's defaults stand in.
-    void add(const Model& model, const glm::dmat4& toWorld);
+    /// Its surfaces are all \p doubleSided, or those alone that a glTF file says are.
+    void add(const Model& model, const glm::dmat4& toWorld, bool doubleSided);
 
 private:
     using Library = std::map<std::string, std::pair<std::filesystem::path, MtlMaterial>>;
 
     Library readLibraries(const ObjFile& obj);
     void readLibrary(const std::filesystem::path& file, Library& library);
-    std::vector<uint32_t> resolveMaterials(const ObjFile& obj);
-    std::vector<uint32_t> resolveMaterials(const GltfFile& gltf);
-    uint32_t addMaterial(const std::filesystem::path& library, const MtlMaterial& source);
-    uint32_t addSurface(const GltfFile& gltf, size_t index);
-    uint32_t neutralMaterial(const std::string& name);
+    std::vector<uint32_t> resolveMaterials(const ObjFile& obj, bool doubleSided);
+    std::vector<uint32_t> resolveMaterials(const GltfFile& gltf, bool doubleSided);
+    uint32_t addMaterial(const std::filesystem::path& library, const MtlMaterial& source,
+                         bool doubleSided);
+    uint32_t addSurface(const GltfFile& gltf, size_t index, bool doubleSided);
+    uint32_t neutralMaterial(const std::string& name, bool doubleSided);
     static TextureLoader::Source sourceOf(const std::filesystem::path& library,
                                           const MtlMaterial::Map& map);
     uint32_t loadTexture(const std::filesystem::path& library, const MtlMaterial::Map& map);
@@ -54,7 +57,7 @@ private:
     Scene& scene_;
     LoadReport& report_;
     /// By MTL file and name; without a file: the stand-ins.
-    std::map<std::pair<std::string, std::string>, uint32_t> materials_;
+    std::map<std::tuple<std::string, std::string, bool>, uint32_t> materials_;
     TextureLoader textures_;
 };
 

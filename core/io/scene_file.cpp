@@ -63,6 +63,7 @@ constexpr SceneAttribute kHonoured[] = {
     {"transformation", "rotation"},
     {"transformation", "translation"},
     {"object", "file"},
+    {"object", "double_sided"},
     {"tonemapping", "key"},
     {"tonemapping", "white"},
 };
@@ -297,7 +298,8 @@ private:
         const XmlAttributes attributes = attributesOf(node);
         const auto file = attributes.text("file");
         if (!file || trimmed(*file).empty()) xml_.fail(node, "file is missing");
-        scene_.objects.push_back({*file, xml_.line(node), place.toSpace, place.space});
+        scene_.objects.push_back({*file, xml_.line(node), place.toSpace, place.space,
+                                  attributes.boolean("double_sided").value_or(true)});
         ignoreChildren(node);
     }
 

@@ -33,6 +33,7 @@ struct SceneFile {
         size_t line = 0;
         glm::dmat4 toSpace{1.0};              ///< of a moving space, or of the world
         uint32_t space = MovingSpace::kWorld; ///< into animation.spaces
+        bool doubleSided = true;              ///< else as Material::doubleSided, and glTF, have it
     };
 
     std::filesystem::path file;

@@ -36,8 +36,12 @@ struct Material {
     bool isTextured() const {
         return (diffuseMap & emissionMap & reflectanceMap & bumpMap) != kNoTexture;
     }
-    /// Whether parts of the surface are not there.
-    bool hasCutOuts() const { return opacityMap != kNoTexture || opacity < 0.5f; }
+    /// Whether the surface is there for rays that come from behind; the corners of a triangle are
+    /// seen counterclockwise from its front.
+    bool doubleSided = true;
+
+    /// Whether parts of the surface are not there, or not for every ray.
+    bool hasCutOuts() const { return opacityMap != kNoTexture || opacity < 0.5f || !doubleSided; }
 };
 
 } // namespace dirt

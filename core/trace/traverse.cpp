@@ -1,6 +1,7 @@
 #include "core/trace/traverse.h"
 
 #include "core/grid/denormals.h"
+#include "core/trace/holes.h"
 #include "core/trace/intersect.h"
 #include "core/trace/plain_intersect.h"
 #include "core/trace/ray_filter.h"
@@ -160,7 +161,8 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
         if (!decision.hits(triangle, candidate)) return false;
         if (best.primitive == id) return true;
         if (!isNearer(candidate, id, best) || !seen.holds(candidate.t) ||
-            isSkipped(geometry, ray, id) || !geometry.holds(id, candidate.u, candidate.v))
+            isSkipped(geometry, ray, id) ||
+            !isHit(geometry, ray.direction, id, candidate.u, candidate.v))
             return false;
         best = {id, candidate.t, candidate.u, candidate.v, 0, 0};
         limit = upperBound(candidate.t);
@@ -212,7 +214,8 @@ bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given, f
         const Triangle& triangle = geometry.triangles[id];
         TriangleHit candidate;
         if (decision.hits(triangle, candidate) && candidate.t < maxT && seen.holds(candidate.t) &&
-            !isSkipped(geometry, ray, id) && geometry.holds(id, candidate.u, candidate.v)) {
+            !isSkipped(geometry, ray, id) &&
+            isHit(geometry, ray.direction, id, candidate.u, candidate.v)) {
             found = true;
             limit = -1.0; // ends the walk
         }
@@ -254,7 +257,8 @@ Hit closestHitBruteForce(const FrameGeometry& geometry, const Ray& given) {
     for (uint32_t id = 0; id < geometry.triangles.size(); ++id) {
         TriangleHit candidate;
         if (intersect(ray, geometry.triangles[id], candidate) && isNearer(candidate, id, best) &&
-            !isSkipped(geometry, ray, id) && geometry.holds(id, candidate.u, candidate.v))
+            !isSkipped(geometry, ray, id) &&
+            isHit(geometry, ray.direction, id, candidate.u, candidate.v))
             best = {id, candidate.t, candidate.u, candidate.v, 0, 0};
     }
     return best;

@@ -1,5 +1,6 @@
 #include "core/verify/judge.h"
 
+#include "core/trace/holes.h"
 #include "core/trace/intersect.h"
 #include "core/verify/exact.h"
 #include "core/verify/filter.h"
@@ -48,7 +49,7 @@ bool Judge::skipped(const Ray& ray, uint32_t primitive) const {
 bool Judge::inHole(const Ray& ray, uint32_t primitive) const {
     TriangleHit hit;
     return geometry_.cutOuts && intersect(ray, geometry_.triangles[primitive], hit) &&
-           !geometry_.holds(primitive, hit.u, hit.v);
+           !isHit(geometry_, ray.direction, primitive, hit.u, hit.v);
 }
 
 Verdict Judge::nearest(const Ray& ray) const {

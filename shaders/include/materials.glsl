@@ -5,7 +5,7 @@
 layout(binding = 6) uniform usamplerBuffer materialOf;
 layout(binding = 7) uniform usamplerBuffer materials; // four texels each, as bits:
 // (Kd, its map), (Ke, its map), (reflectance, metallic, roughness, reflectance's map),
-// (opacity, scale of heights, map of heights, opacity's map)
+// (opacity, negative of surfaces with one side, scale of heights, map of heights, opacity's map)
 
 #if DIRT_TEXTURES
 #include "include/textures.glsl"
@@ -24,10 +24,15 @@ bool isPresent(uvec3 corners) {
     return all(notEqual(corners, uvec3(kNoIndex)));
 }
 
+/// Whether a primitive is there for rays that meet its front alone.
+bool hasOneSide(uint primitive) {
+    return (materialTexel(texelFetch(materialOf, int(primitive)).x, 3).x & 0x80000000u) != 0u;
+}
+
 /// isThere of core/scene/cut_outs.h: whether a point of a primitive is not cut out.
 bool isThere(uint primitive, float u, float v) {
     uvec4 part = materialTexel(texelFetch(materialOf, int(primitive)).x, 3);
-    precise float opacity = uintBitsToFloat(part.x);
+    precise float opacity = abs(uintBitsToFloat(part.x));
 #if DIRT_TEXTURES
     if (part.w != kNoTexture) {
         uvec3 t = texelFetch(texcoordIndices, int(primitive)).xyz;

@@ -7,7 +7,7 @@
 #include "include/ray_record.glsl"
 #include "shared/layouts.h"
 #if DIRT_CUT_OUTS
-#include "include/materials.glsl"
+#include "include/holes.glsl"
 #endif
 
 layout(location = 2) uniform bool single; // rays end at the border of the only view
@@ -80,7 +80,7 @@ bool test(inout Search search, Candidate candidate) {
     if (!(hit.t < search.maxT)) return false;
 #endif
 #if DIRT_CUT_OUTS
-    if (!isThere(candidate.id, hit.u, hit.v)) return false;
+    if (!isHit(search.ray.direction, candidate.id, hit.u, hit.v)) return false;
 #endif
 #if DIRT_ANY_HIT
     search.limit = -1.0LF; // ends the walk

@@ -3,6 +3,7 @@
 #include "backend_cpu/cpu_backend.h"
 #include "core/frame/renderer.h"
 #include "core/path/camera_rays.h"
+#include "core/trace/holes.h"
 #include "core/trace/traverse.h"
 #include "tests/frame/shapes.h"
 #include "tests/support/random.h"
@@ -11,6 +12,7 @@
 #include "backend_embree/embree_backend.h"
 #endif
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -109,7 +111,8 @@ TEST(CutOuts, SilhouetteIsThatOfTheTexture) {
     }
     EXPECT_GT(holes, 2000);
     EXPECT_GT(card, 2000);
-    EXPECT_TRUE(geometry.holds(2, 0.3f, 0.3f)); // without a scene there are no holes
+    EXPECT_TRUE(
+        isHit(geometry, glm::vec3(0.0f), 2, 0.3f, 0.3f)); // without a scene there are no holes
 }
 
 TEST(CutOuts, AreTheSameForEveryStructureAndBackend) {
@@ -131,6 +134,76 @@ TEST(CutOuts, AreTheSameForEveryStructureAndBackend) {
     EmbreeBackend embree(executor);
     expectSame(render(scene, settings(16), embree), "embree");
 #endif
+}
+
+/// Seen from its front a surface with one side is as any other, from behind it is not there; for
+/// all structures and backends.
+TEST(CutOuts, OneSidedSurfacesAreNotThereFromBehind) {
+    SerialExecutor executor;
+    CpuBackend cpu(executor);
+    Scene scene = cardScene(); // the card's front is seen
+    scene.materials[1].opacityMap = kNoTexture;
+    scene.materials[0].emission = scene.materials[1].emission = glm::vec3(0.5f);
+    scene.lights.clear();
+    const auto count = [](const Rendered& rendered) {
+        return std::count_if(rendered.seen.begin(), rendered.seen.end(),
+                             [](uint32_t id) { return id == 2 || id == 3; });
+    };
+    const Rendered twoSided = render(scene, settings(16), cpu);
+    EXPECT_GT(count(twoSided), 4000);
+    for (const bool turned : {false, true}) {
+        if (turned)
+            for (uint32_t id : {2u, 3u})
+                std::swap(scene.mesh.triangles[id][1], scene.mesh.triangles[id][2]);
+        scene.materials[1].doubleSided = false;
+        EXPECT_TRUE(requirementsOf(scene, settings(16), true).cutOuts);
+        const Rendered expected = render(scene, settings(16), cpu);
+        if (turned)
+            EXPECT_EQ(count(expected), 0);
+        else
+            EXPECT_EQ(expected.seen, twoSided.seen);
+        const auto expectSame = [&](const Rendered& other, const std::string& what) {
+            EXPECT_EQ(other.seen, expected.seen) << what;
+            EXPECT_EQ(other.image, expected.image) << what;
+        };
+        RenderSettings other = settings(1);
+        expectSame(render(scene, other, cpu), "tile");
+        other.primary = Primary::traced;
+        expectSame(render(scene, other, cpu), "traced primary rays");
+        other.grid.traversal = Traversal::linear; // core's own traversal
+        expectSame(render(scene, other, cpu), "core");
+#ifdef DIRT_HAVE_EMBREE
+        EmbreeBackend embree(executor);
+        expectSame(render(scene, settings(16), embree), "embree");
+#endif
+    }
+}
+
+/// The wall is lit through the back of a card, and in the shade of its front.
+TEST(CutOuts, OneSidedSurfacesThrowTheirFrontsShade) {
+    SerialExecutor executor;
+    CpuBackend cpu(executor);
+    RenderSettings direct = settings(16);
+    direct.bounces = 1;
+    Scene scene = cardScene();
+    scene.materials[1].opacityMap = kNoTexture;
+    const auto sum = [&] {
+        double total = 0.0;
+        const Rendered rendered = render(scene, direct, cpu);
+        for (size_t i = 0; i < rendered.image.size(); ++i)
+            if (rendered.seen[i] < 2) total += rendered.image[i].x; // of the wall
+        return total;
+    };
+    const double shaded = sum();
+    scene.materials[1].doubleSided = false; // shadow rays come from the wall, from behind
+    const double lit = sum();
+    EXPECT_GT(lit, 1.1 * shaded);
+    for (uint32_t id : {2u, 3u})
+        std::swap(scene.mesh.triangles[id][1], scene.mesh.triangles[id][2]);
+    scene.camera.eye.z = -2.5f; // behind the card, which would hide the wall no more
+    const double front = sum();
+    scene.materials[1].doubleSided = true;
+    EXPECT_EQ(sum(), front);
 }
 
 TEST(CutOuts, LetShadowRaysThrough) {

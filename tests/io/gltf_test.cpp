@@ -279,5 +279,45 @@ TEST_F(Gltf, InASceneFile) {
     EXPECT_EQ(loaded.scene.animation.parts.at(0).positions.at(1), glm::vec3(1, 0, 0));
 }
 
+/// What a file says of sides counts where the scene does not want two of everything.
+TEST_F(Gltf, SurfacesHaveTwoSidesUnlessTheSceneSaysOtherwise) {
+    for (const bool inFile : {false, true}) {
+        GltfWriter writer;
+        const size_t mesh = writer.triangle();
+        writer.json["materials"] = Json::parse("[{}]");
+        writer.json["materials"][0]["doubleSided"] = inFile;
+        writer.json["meshes"][mesh]["primitives"][0]["material"] = 0;
+        folder_.write("a.glb", writer.binary());
+        const auto twoSided = [&](const std::string& attributes) {
+            const LoadedScene loaded = loadScene(folder_.write(
+                "a.scene", "<world><object file='a.glb' " + attributes + "/></world>"));
+            return loaded.scene.materials.at(0).doubleSided;
+        };
+        EXPECT_TRUE(load(writer).scene.materials.at(0).doubleSided);
+        EXPECT_TRUE(twoSided(""));
+        EXPECT_TRUE(twoSided("double_sided='true'"));
+        EXPECT_EQ(twoSided("double_sided='false'"), inFile);
+    }
+}
+
+TEST_F(Gltf, MirrorsKeepTheirFronts) {
+    GltfWriter writer;
+    writer.triangle();
+    folder_.write("a.glb", writer.binary());
+    const auto front = [&](const std::string& scale) {
+        const LoadedScene loaded = loadScene(
+            folder_.write("a.scene", "<world><transformation scale='" + scale +
+                                         "'><object file='a.glb'/></transformation></world>"));
+        const auto& p = loaded.scene.mesh.positions;
+        const Corners& c = loaded.scene.mesh.triangles.at(0);
+        return glm::cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]);
+    };
+    const glm::vec3 n = front("1 1 1");
+    EXPECT_NE(n, glm::vec3(0.0f));
+    EXPECT_EQ(front("-1 1 1") * n, n * n * glm::vec3(-1, 1, 1));
+    EXPECT_EQ(front("1 1 -1") * n, n * n * glm::vec3(1, 1, -1));
+    EXPECT_EQ(front("-1 -1 1") * n, n * n * glm::vec3(-1, -1, 1));
+}
+
 } // namespace
 } // namespace dirt

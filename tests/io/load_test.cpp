@@ -203,6 +203,31 @@ TEST_F(Load, NamesTheElementWhoseObjectIsMissing) {
     EXPECT_EQ(error("a.scene"), ":4: object file 'a.obj' not found");
 }
 
+/// One file may be placed with two sides and with one; a mirror image keeps its front.
+TEST_F(Load, SurfacesHaveOneSideWhereTheSceneSaysSo) {
+    folder_.write("a.obj", kTriangle);
+    const LoadedScene loaded =
+        loadXml("<object file='a.obj'/><object file='a.obj' double_sided='false'/>"
+                "<transformation scale='1 1 -1'><object file='a.obj' double_sided='false'/>"
+                "</transformation>");
+    const Scene& scene = loaded.scene;
+    ASSERT_EQ(scene.mesh.triangles.size(), 3u);
+    for (size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(scene.materials[scene.mesh.materials[i]].doubleSided, i == 0);
+    EXPECT_EQ(scene.materials.size(), 2u);
+    EXPECT_TRUE(loaded.ignored.empty());
+    // Seen from +Z the first ones' corners are counterclockwise, that of the mirror image
+    // clockwise.
+    const auto along = [&](size_t i) {
+        const auto& p = scene.mesh.positions;
+        const Corners& c = scene.mesh.triangles[i];
+        return glm::cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]).z;
+    };
+    EXPECT_GT(along(0), 0.0f);
+    EXPECT_GT(along(1), 0.0f);
+    EXPECT_LT(along(2), 0.0f);
+}
+
 TEST_F(Load, RoundsPositionsOnce) {
     folder_.write("a.obj", "v 0.1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const LoadedScene loaded =

@@ -45,6 +45,18 @@ TEST_F(SceneXml, EmptyWorldGivesDefaults) {
     EXPECT_TRUE(report_.ignored().empty());
 }
 
+TEST_F(SceneXml, ReadsWhetherObjectsHaveTwoSides) {
+    const SceneFile scene = readWorld("<object file='a.obj'/><object file='b.obj' "
+                                      "double_sided='TRUE'/><object file='c.obj' "
+                                      "double_sided='false'/>");
+    ASSERT_EQ(scene.objects.size(), 3u);
+    EXPECT_TRUE(scene.objects[0].doubleSided);
+    EXPECT_TRUE(scene.objects[1].doubleSided);
+    EXPECT_FALSE(scene.objects[2].doubleSided);
+    EXPECT_TRUE(report_.ignored().empty());
+    EXPECT_NE(errorInWorld("<object file='a.obj' double_sided='both'/>"), "");
+}
+
 TEST_F(SceneXml, ReadsTracing) {
     const SceneFile scene = readWorld("<tracing block_size=' 4 ' buckets='44' faces='single' "
                                       "indirect_bounces='0'/>");
