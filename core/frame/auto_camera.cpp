@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 namespace dirt {
 
@@ -27,12 +29,14 @@ constexpr double kFromOutside = 0.5; ///< what such a view counts: of a room it 
 /// What the rays of one coarse image found.
 struct Glance {
     size_t hits = 0, behind = 0;
-    std::vector<double> depths; ///< of the hits; world space
+    std::vector<double> depths;        ///< distances of the hits; world space
+    std::vector<glm::dvec3> alongAxis; ///< of each: column, row, and its depth along the view
 
     void add(const Glance& other) {
         hits += other.hits;
         behind += other.behind;
         depths.insert(depths.end(), other.depths.begin(), other.depths.end());
+        alongAxis.insert(alongAxis.end(), other.alongAxis.begin(), other.alongAxis.end());
     }
     double quantile(double q) const {
         std::vector<double> sorted = depths;
@@ -42,7 +46,7 @@ struct Glance {
     }
 };
 
-Glance glanceOf(std::span<const Ray> rays, std::span<const Hit> hits,
+Glance glanceOf(std::span<const Ray> rays, std::span<const Hit> hits, glm::dvec3 direction,
                 const FrameGeometry& geometry) {
     Glance glance;
     for (size_t i = 0; i < rays.size(); ++i) {
@@ -51,25 +55,65 @@ Glance glanceOf(std::span<const Ray> rays, std::span<const Hit> hits,
         const glm::vec3 normal = glm::cross(t.b - t.a, t.c - t.a);
         ++glance.hits;
         if (glm::dot(normal, rays[i].direction) > 0.0f) ++glance.behind;
-        glance.depths.push_back(hits[i].t / (double) geometry.frame.scale);
+        const double depth = hits[i].t / (double) geometry.frame.scale;
+        glance.depths.push_back(depth);
+        glance.alongAxis.push_back({(double) (i % kColumns), (double) (i / kColumns),
+                                    depth * glm::dot(glm::dvec3(rays[i].direction), direction)});
     }
     return glance;
 }
 
-/// Fraction of rays that hit, near ones for less, times the spread of their depth in octaves.
+/// How far a hit's depth counts, by its distance relative to the scene's height.
+double weightOf(double relative) {
+    const double half = relative / (relative + kComfortable);
+    return half * half;
+}
+
+/// How far the hits' depths are, in octaves, from those of the one plane that fits them best: a
+/// wall seen at a slant is no view, however deep it goes. Of a plane 1 / depth is linear in the
+/// image; the fit is by relative differences, each with its weight.
+double spreadBesidePlane(const Glance& glance, std::span<const double> weights) {
+    glm::dmat3 products(0.0);
+    glm::dvec3 sums(0.0);
+    double all = 0.0;
+    for (size_t i = 0; i < weights.size(); ++i) {
+        const glm::dvec3& p = glance.alongAxis[i];
+        const glm::dvec3 row = glm::dvec3(p.x, p.y, 1.0) * p.z;
+        products += glm::outerProduct(row, row) * weights[i];
+        sums += row * weights[i];
+        all += weights[i];
+    }
+    // So that few hits, or those of one line, have a plane, too.
+    const double trace = products[0][0] + products[1][1] + products[2][2];
+    for (int i = 0; i < 3; ++i) products[i][i] += 1e-9 * trace;
+    const glm::dvec3 plane = glm::inverse(products) * sums;
+    double squares = 0.0;
+    for (size_t i = 0; i < weights.size(); ++i) {
+        const glm::dvec3& p = glance.alongAxis[i];
+        const double ratio = p.z * (plane.x * p.x + plane.y * p.y + plane.z);
+        const double octaves = std::log2(std::clamp(ratio, 1.0 / 16.0, 16.0));
+        squares += weights[i] * octaves * octaves;
+    }
+    return std::sqrt(squares / all);
+}
+
+/// Fraction of rays that hit, near ones for less, times the spread of their depth in octaves, as
+/// far as one plane does not explain it.
 double scoreOf(const Glance& glance, double height) {
+    std::vector<double> weights;
     double seen = 0.0, sum = 0.0, squares = 0.0;
     for (double depth : glance.depths) {
         const double relative = std::max(depth / height, 1e-6);
-        const double half = relative / (relative + kComfortable);
-        const double weight = half * half, octaves = std::log2(relative);
+        const double weight = weightOf(relative), octaves = std::log2(relative);
+        weights.push_back(weight);
         seen += weight;
         sum += weight * octaves;
         squares += weight * octaves * octaves;
     }
     if (seen == 0.0) return 0.0;
     const double mean = sum / seen;
-    const double spread = std::sqrt(std::max(0.0, squares / seen - mean * mean));
+    const double spread = std::min(std::sqrt(std::max(0.0, squares / seen - mean * mean)),
+                                   spreadBesidePlane(glance, weights));
     const double front = 1.0 - (double) glance.behind / (double) glance.hits;
     return seen / (double) kRays * front * (0.5 + spread);
 }
@@ -152,7 +196,8 @@ Standpoint chooseStandpoint(const Mesh& mesh, Tracer& tracer, const CameraHints&
         std::vector<Glance> glances;
         for (size_t i = 0; i < place.directions.size(); ++i, first += kRays)
             glances.push_back(glanceOf(std::span(rays).subspan(first, kRays),
-                                       std::span(hits).subspan(first, kRays), geometry));
+                                       std::span(hits).subspan(first, kRays), place.directions[i],
+                                       geometry));
         if (place.inside && !isInhabitable(glances, height)) continue;
         for (size_t i = 0; i < glances.size(); ++i) {
             const double score = scoreOf(glances[i], height) * (place.inside ? 1.0 : kFromOutside);

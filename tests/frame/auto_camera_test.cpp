@@ -98,6 +98,17 @@ TEST(AutoCamera, StandsOutsideOfASolid) {
     EXPECT_TRUE(showsSomething(mesh, camera));
 }
 
+/// A slab that is bare on one side, which at a slant is as deep as the other, where towers stand.
+TEST(AutoCamera, PrefersWhatIsThereToABareWall) {
+    Mesh mesh;
+    addBox(mesh, {-10, -12, -0.2f}, {10, 12, 0}, false);
+    for (int i = -8; i <= 8; i += 4)
+        addBox(mesh, {(float) i - 1, (float) i - 3, 0}, {(float) i + 1, (float) i + 3, 8}, false);
+    const Camera camera = choose(mesh).camera;
+    EXPECT_GT(camera.eye.z, 0.0f);
+    EXPECT_TRUE(showsSomething(mesh, camera));
+}
+
 TEST(AutoCamera, DoesNotDependOnTheUnitOfLength) {
     // Powers of two, so that the scaled scene is exactly the same.
     const Standpoint one = choose(hall());
