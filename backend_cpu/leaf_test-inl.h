@@ -39,6 +39,9 @@ struct LeafRay {
 
     float begin, end; ///< part of the ray, rounded outwards
 
+    int x, y, z; ///< z is the axis of the direction's largest component
+    float slopeX, slopeY, lateralError;
+
     /// True if the tests' bounds hold for the ray.
     bool set(const Ray& ray) {
         const glm::vec3& o = ray.origin;
@@ -47,6 +50,12 @@ struct LeafRay {
         const float largest = std::max({ax, ay, az});
         const float away = std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)});
         if (!(largest >= 0x1p-40f && largest <= 0x1p40f && away <= 0x1p20f)) return false;
+        z = ax > ay ? (ax > az ? 0 : 2) : (ay > az ? 1 : 2);
+        x = (z + 1) % 3;
+        y = (z + 2) % 3;
+        slopeX = d[x] / d[z];
+        slopeY = d[y] / d[z];
+        lateralError = 0x1p-21f * (2.0f + away);
         for (int i = 0; i < 3; ++i) {
             const float magnitude = std::max(std::abs(d[i]), 0x1p-40f * largest);
             sign[i] = d[i] < 0.0f;
@@ -63,6 +72,31 @@ struct LeafRay {
         setEnd(to);
     }
     void setEnd(double to) { end = (float) std::min(to * (1.0 + 0x1p-22), 0x1p120); }
+
+    /// False only if core's RayFilter is certain of a miss, number for number; without its
+    /// branches, which none foresees.
+    HWY_INLINE bool mayHit(const Triangle& t) const {
+        const float *const a = &t.a.x, *const b = &t.b.x, *const c = &t.c.x;
+        const float az = a[z] - origin[z], bz = b[z] - origin[z], cz = c[z] - origin[z];
+        const float ax = (a[x] - origin[x]) - slopeX * az;
+        const float bx = (b[x] - origin[x]) - slopeX * bz;
+        const float cx = (c[x] - origin[x]) - slopeX * cz;
+        const float ay = (a[y] - origin[y]) - slopeY * az;
+        const float by = (b[y] - origin[y]) - slopeY * bz;
+        const float cy = (c[y] - origin[y]) - slopeY * cz;
+        const auto least = [](float p, float q, float r) { return std::min(std::min(p, q), r); };
+        const auto most = [](float p, float q, float r) { return std::max(std::max(p, q), r); };
+        const float lowX = least(ax, bx, cx), highX = most(ax, bx, cx);
+        const float lowY = least(ay, by, cy), highY = most(ay, by, cy);
+        const float u = bx * cy - by * cx;
+        const float v = cx * ay - cy * ax;
+        const float w = ax * by - ay * bx;
+        const float largest = std::max(std::max(-lowX, highX), std::max(-lowY, highY));
+        const float error = largest * (4.0f * lateralError + 0x1p-21f * largest);
+        const bool beside = (lowX > lateralError) | (highX < -lateralError) |
+                            (lowY > lateralError) | (highY < -lateralError);
+        return !(beside | ((most(u, v, w) > error) & (least(u, v, w) < -error)));
+    }
 };
 
 /// Children of \p node whose boxes the ray's part may meet, as bits, and where it enters them.

@@ -51,13 +51,14 @@ struct TileDepths {
     explicit TileDepths(const DepthBounds& bounds)
         : near(bounds.near), far(bounds.far), partsPerDepth(BinMap(bounds, kParts).scale) {}
 
-    /// The parts that depths [\p low, \p high] meet: monotone in both.
-    uint32_t parts(float low, float high) const {
+    /// The parts that depths [\p low, \p high] meet: monotone in both. A call would cost the walk
+    /// more than this does.
+    [[gnu::always_inline]] uint32_t parts(float low, float high) const {
         return (~0u << partOf(low)) & (~0u >> (kParts - 1 - partOf(high)));
     }
 
 private:
-    int partOf(float depth) const {
+    [[gnu::always_inline]] int partOf(float depth) const {
         const float part = (depth - near) * partsPerDepth;
         return (int) std::min(std::max(part, 0.0f), (float) (kParts - 1));
     }

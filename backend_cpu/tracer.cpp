@@ -4,7 +4,6 @@
 #include "core/trace/holes.h"
 #include "core/trace/intersect.h"
 #include "core/trace/plain_intersect.h"
-#include "core/trace/ray_filter.h"
 
 #include <array>
 #include <cfloat>
@@ -48,7 +47,7 @@ template <class Query>
 class Traversal {
 public:
     Traversal(const LeafTracer& tracer, const Ray& ray, Query& query, LeafCounts& counts)
-        : tracer_(tracer), ray_(ray), query_(query), counts_(counts), filter_(ray) {}
+        : tracer_(tracer), ray_(ray), query_(query), counts_(counts) {}
 
     /// False if the ray has to be left to core.
     bool run() {
@@ -126,7 +125,7 @@ private:
             const uint32_t id = block.id[lane];
             if (id == ray_.skip || entry[lane] > leafRay_.end) continue;
             ++counts_.triangles;
-            if (filter_.certainlyMisses(triangles[id])) continue;
+            if (!leafRay_.mayHit(triangles[id])) continue;
             query_.test(id, triangles[id], counts_);
             leafRay_.setEnd(std::min(visit.end, query_.limit));
         }
@@ -137,7 +136,6 @@ private:
     Query& query_;
     LeafCounts& counts_;
     LeafRay leafRay_;
-    RayFilter filter_;
 };
 
 /// T3: the nearest hit, at equal t the lowest id, filed under a tile in which it lies.
