@@ -9,6 +9,8 @@
 #include "core/frame/renderer.h"
 #include "core/io/error.h"
 #include "core/io/output_file.h"
+#include "core/path/shadow_map.h"
+#include "core/path/spotlight.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -23,8 +25,9 @@ namespace dirt {
 
 namespace {
 
-const std::vector<std::string> kBuffers = {"triangles", "depth", "ids",        "direct",  "rays",
-                                           "hits",      "mask",  "visibility", "shading", "image"};
+const std::vector<std::string> kBuffers = {"triangles",  "depth",   "ids",  "shadowmap",
+                                           "direct",     "rays",    "hits", "mask",
+                                           "visibility", "shading", "image"};
 
 struct DumpOptions {
     CommonOptions common;
@@ -117,6 +120,19 @@ Json viewsJson(const Grid& grid) {
     return views;
 }
 
+/// What texels of the map stand for, in the grid frame.
+Json shadowMapJson(const Scene& scene, const GridFrame& frame) {
+    const GridSpotlight light = makeGridSpotlight(scene.lights.front(), frame);
+    const ShadowMap map = makeShadowMap(scene, frame);
+    return {{"position", vectorJson(light.position)},
+            {"right", vectorJson(light.right)},
+            {"up", vectorJson(light.up)},
+            {"axis", vectorJson(light.axis)},
+            {"extent", map.extent},
+            {"bias", map.bias},
+            {"softness", map.softness}};
+}
+
 Json filesJson(const std::vector<DumpedFile>& files) {
     Json list = Json::array();
     for (const DumpedFile& file : files) {
@@ -154,6 +170,8 @@ Json manifest(const Input& input, const Backend& backend, const Executor& execut
         json["view_frames"] = viewsJson(grid);
         json["at_eye"] = grid.atEye;
     }
+    if (requirementsOf(input.scene, input.settings, backend.rasterizes()).shadowMap > 0)
+        json["shadow_map"] = shadowMapJson(input.scene, frame);
     json["files"] = filesJson(files);
     return json;
 }
@@ -208,6 +226,7 @@ int runDump(const DumpOptions& options) {
         const PathBuffers paths = backend->readPaths();
         if (event == 0) {
             dumpStructure(*backend, wanted, dump);
+            if (wanted.has("shadowmap")) dump.shadowMap(backend->readShadowMap());
             if (wanted.has("direct")) dump.direct(paths);
         }
         if (wantsEvent) dumpEvent(paths, event, event > 0 || !rasterPrimary, wanted, dump);

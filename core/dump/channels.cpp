@@ -72,6 +72,12 @@ std::vector<ChannelInfo> depthChannels() {
                 "greatest depth w of any primitive part in the tile");
 }
 
+std::vector<ChannelInfo> shadowMapChannels() {
+    return Table().number("depth", 0, "light", kLength,
+                          "of the nearest caster along the light's axis; the largest float where "
+                          "there is none");
+}
+
 std::vector<ChannelInfo> rayChannels() {
     return Table()
         .vector("origin", offsetof(PathRay, origin), kPixelOrder, kGrid, kLength, "where it starts")

@@ -20,6 +20,7 @@ struct ChannelInfo {
 /// The channels of each record, in the order of its bytes.
 std::vector<ChannelInfo> triangleChannels();
 std::vector<ChannelInfo> depthChannels();
+std::vector<ChannelInfo> shadowMapChannels();
 std::vector<ChannelInfo> rayChannels();
 std::vector<ChannelInfo> hitChannels();
 std::vector<ChannelInfo> surfacePointChannels();

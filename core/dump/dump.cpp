@@ -107,6 +107,14 @@ void Dump::ids(const Grid& grid, const FrameGeometry& geometry) {
     files_.push_back(std::move(dumped));
 }
 
+void Dump::shadowMap(const std::vector<float>& depths) {
+    if (depths.empty()) return;
+    const int side = (int) std::lround(std::sqrt((double) depths.size()));
+    write("shadowmap", {},
+          {gather("shadowmap", side, side, {{shadowMapChannels(), depths.data(), sizeof(float)}})},
+          shadowMapChannels());
+}
+
 void Dump::direct(const PathBuffers& paths) {
     writePixels("direct", {}, {{surfacePointChannels(), paths.next.data(), sizeof(SurfacePoint)}});
 }

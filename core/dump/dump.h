@@ -33,6 +33,8 @@ public:
     /// Id buffer: a deep part for each view, a pixel for each tile, a sample for each list entry in
     /// the order (bin, Z, id).
     void ids(const Grid& grid, const FrameGeometry& geometry);
+    /// The light's shadow map: a pixel for each texel. Writes nothing where there is none.
+    void shadowMap(const std::vector<float>& depths);
     /// G[1] as the first pass of a sample has it.
     void direct(const PathBuffers& paths);
 

@@ -106,6 +106,23 @@ protected:
 
 } // namespace
 
+TEST_P(DumpTest, HoldsTheShadowMapWhereThereIsOne) {
+    Dump dump(folder_.path(), 45, 31, {});
+    settings_.visibility = LightVisibility::shadowMap;
+    scene_.lights[0].resolution = 37;
+    Renderer(scene_, settings_, backend_).render();
+    const std::vector<float> depths = backend_.readShadowMap();
+    ASSERT_EQ(depths.size(), 37u * 37u);
+    dump.shadowMap(depths);
+    const Part part = read("shadowmap.exr")["shadowmap"];
+    EXPECT_EQ(part.width, 37);
+    EXPECT_EQ(part.height, 37);
+    expectRecords(part, shadowMapChannels(), depths);
+
+    dump.shadowMap({});
+    EXPECT_EQ(dump.files().size(), 1u);
+}
+
 TEST(DumpChannels, NameEveryByte) {
     expectAllBytes(triangleChannels(), sizeof(Triangle), 0);
     expectAllBytes(depthChannels(), sizeof(DepthBounds), 0);
