@@ -219,8 +219,23 @@ void GlBackend::occluded(std::span<const Ray> rays, std::span<const float> maxT,
 }
 
 void GlBackend::endPass() const {
-    glFinish();
+    if (!timer_.works()) glFinish();
     context_.check();
+}
+
+void GlBackend::beginTimedPass() {
+    context_.makeCurrent();
+    timer_.begin();
+}
+
+void GlBackend::endTimedPass() {
+    context_.makeCurrent();
+    timer_.end();
+}
+
+std::vector<double> GlBackend::takePassTimes() {
+    context_.makeCurrent();
+    return timer_.take();
 }
 
 void GlBackend::beginFrame(const Scene& scene, const RenderSettings& settings,

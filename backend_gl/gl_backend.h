@@ -4,6 +4,7 @@
 #include "backend_gl/gl_context.h"
 #include "backend_gl/grid_views.h"
 #include "backend_gl/id_buffer.h"
+#include "backend_gl/pass_timer.h"
 #include "backend_gl/programs.h"
 #include "backend_gl/ray_caster.h"
 #include "backend_gl/sample_passes.h"
@@ -76,6 +77,10 @@ public:
     void writeShadowMap(const std::vector<float>& depths) override;
     std::vector<glm::vec3> readImage() const override;
 
+    void beginTimedPass() override;
+    void endTimedPass() override;
+    std::vector<double> takePassTimes() override;
+
     FrameCounts counts() const override { return passes_.counts(); }
     std::vector<BufferSize> memory() const override;
     uint64_t listEntries() const override { return ids_.counts().entries; }
@@ -85,10 +90,12 @@ private:
     [[noreturn]] void refuseLists();
     void cast(std::span<const Ray> rays, std::span<const float> maxT, std::span<Hit> hits);
     TracedStructure structure() const;
-    /// After a pass: its time is its own, and what the driver complains of is thrown.
+    /// After a pass: what the driver complains of is thrown. Without a clock of the device the host
+    /// waits, so that the pass's time is its own.
     void endPass() const;
 
     GlContext context_;
+    PassTimer timer_;
     Programs programs_;
     Proposal proposal_;
     std::string arithmeticFaults_;

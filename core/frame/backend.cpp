@@ -10,7 +10,7 @@ namespace {
 template <typename FillTriangles>
 std::vector<PassTime> construct(Backend& backend, const Camera& camera,
                                 const GridSettings& settings, const FillTriangles& fillTriangles) {
-    PassClock clock;
+    PassClock clock(backend);
     clock.time("Clear", 0, [&] { backend.clear(camera, settings); });
     clock.time("FillDepth", 0, [&] {
         fillTriangles();
@@ -18,7 +18,7 @@ std::vector<PassTime> construct(Backend& backend, const Camera& camera,
     });
     clock.time("FillDepthMipmap", 0, [&] { backend.fillDepthMipmap(); });
     clock.time("FillPrimitives", 0, [&] { backend.fillPrimitives(); });
-    return clock.times();
+    return clock.take();
 }
 
 } // namespace

@@ -85,6 +85,13 @@ public:
     /// PathBuffers::image alone.
     virtual std::vector<glm::vec3> readImage() const = 0;
 
+    // The clock of a device that works on while the host goes on: called around each pass that is
+    // timed. The host's clock tells where there is none.
+    virtual void beginTimedPass() {}
+    virtual void endTimedPass() {}
+    /// Milliseconds of each pass timed since the last call.
+    virtual std::vector<double> takePassTimes() { return {}; }
+
     virtual FrameCounts counts() const = 0;
     /// All buffers there are, with their sizes in bytes.
     virtual std::vector<BufferSize> memory() const = 0;

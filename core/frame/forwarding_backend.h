@@ -63,6 +63,10 @@ public:
     }
     std::vector<glm::vec3> readImage() const override { return inner_.readImage(); }
 
+    void beginTimedPass() override { inner_.beginTimedPass(); }
+    void endTimedPass() override { inner_.endTimedPass(); }
+    std::vector<double> takePassTimes() override { return inner_.takePassTimes(); }
+
     FrameCounts counts() const override { return inner_.counts(); }
     std::vector<BufferSize> memory() const override { return inner_.memory(); }
     uint64_t listEntries() const override { return inner_.listEntries(); }

@@ -86,12 +86,12 @@ Renderer::Renderer(const Scene& scene, const RenderSettings& settings, Backend& 
 RenderResult Renderer::render(const RenderHooks& hooks) {
     const auto start = std::chrono::steady_clock::now();
     RenderResult result;
-    PassClock clock;
     Requirements need = requirementsOf(scene_, settings_, backend_.rasterizes());
     need.previousPoint |= previousPoint_;
     backend_.expectLight(need.shadowRays ? &scene_.lights.front() : nullptr);
     result.build = backend_.build(scene_.mesh, scene_.camera, settings_.grid);
 
+    PassClock clock(backend_);
     backend_.beginFrame(scene_, settings_, need);
     if (need.shadowMap > 0) clock.time("ShadowMap", 0, [&] { backend_.shadowMap(); });
     Samples samples(settings_, need, backend_, hooks, clock);
@@ -103,7 +103,8 @@ RenderResult Renderer::render(const RenderHooks& hooks) {
     result.counts = backend_.counts();
 
     result.passes = result.build;
-    result.passes.insert(result.passes.end(), clock.times().begin(), clock.times().end());
+    const std::vector<PassTime> passes = clock.take();
+    result.passes.insert(result.passes.end(), passes.begin(), passes.end());
     result.frameMs =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return result;

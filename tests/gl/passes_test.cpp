@@ -5,9 +5,11 @@
 #include "backend_cpu/thread_pool.h"
 #include "backend_gl/gl_backend.h"
 #include "core/frame/renderer.h"
+#include "core/io/error.h"
 #include "core/io/load.h"
 #include "tests/frame/shapes.h"
 #include "tests/gl/paths.h"
+#include "tests/gl/replaced.h"
 #include "tests/support/print.h"
 #include "tests/support/small_scenes.h"
 
@@ -198,6 +200,38 @@ TEST(GlPasses, EqualTheCpusOnMaterials) {
     }
 }
 
+decltype(epoxy_glGetIntegerv) realGetIntegerv = nullptr;
+
+/// A driver whose buffer textures are short.
+void APIENTRY shortBufferTextures(GLenum name, GLint* value) {
+    realGetIntegerv(name, value);
+    if (name == GL_MAX_TEXTURE_BUFFER_SIZE) *value = 2000; // a power of two fits: 1024
+}
+
+/// Texels that need two buffer textures, one texture across both; a third would be refused.
+TEST(GlPasses, EqualTheCpusWithTexelsInTwoPieces) {
+    GlBackend gl;
+    ThreadPool pool(2);
+    Random random(6);
+    RenderSettings settings;
+    settings.grid.width = 31;
+    settings.grid.height = 17;
+    settings.bounces = 1;
+    Scene scene = texturedRoom(random);
+    std::vector<float> texels;
+    for (int i = 0; i < 20 * 20 * 3; ++i) texels.push_back((float) random.uniform());
+    scene.textures[1] = Texture("floats", 20, 20, texels);
+    realGetIntegerv = epoxy_glGetIntegerv;
+    const Replaced limits(epoxy_glGetIntegerv, &shortBufferTextures);
+    {
+        BothBackends both(scene, settings, gl, pool);
+        both.sample(0);
+    }
+    texels.resize(40 * 20 * 3);
+    scene.textures[1] = Texture("floats", 40, 20, texels);
+    EXPECT_THROW(gl.beginFrame(scene, settings, requirementsOf(scene, settings, true)), InputError);
+}
+
 /// What no frame leaves behind: dead paths with rays, rays that are no numbers.
 TEST(GlPasses, EqualTheCpusOnOddPaths) {
     ThreadPool pool(2);
@@ -246,6 +280,16 @@ TEST(GlPasses, MakeTheCpusImage) {
     const RenderResult expected = Renderer(scene, settings, cpu).render();
     const RenderResult result = Renderer(scene, settings, gl).render();
     EXPECT_TRUE(sameRecords("image", result.image.pixels, expected.image.pixels));
+    // The device's clock: what does most has taken time, and all passes no longer than the frame.
+    double sum = 0.0;
+    for (const PassTime& pass : result.passes) {
+        EXPECT_GE(pass.ms, 0.0) << pass.name;
+        sum += pass.ms;
+    }
+    EXPECT_GT(result.passMs("Trace"), 0.0);
+    EXPECT_GT(result.passMs("FillDepth"), 0.0);
+    EXPECT_GT(sum, 0.1 * result.frameMs);
+    EXPECT_LE(sum, 1.01 * result.frameMs);
     EXPECT_EQ(result.counts.rays, expected.counts.rays);
     EXPECT_EQ(result.counts.hits, expected.counts.hits);
 }
