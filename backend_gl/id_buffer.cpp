@@ -84,7 +84,7 @@ void IdBuffer::count(const TriangleBuffer& triangles, ViewMode mode, Proposal pr
     triangles.draw();
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                     GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-    uint32_t counted[3];
+    uint32_t counted[3] = {};
     counters_.read(0, sizeof counted, counted);
     counts_ = {(uint64_t) counted[1] << 32 | counted[0], counted[2]};
 }
