@@ -1,22 +1,30 @@
-# What `cmake --install` copies: the program, and for find_package(dirt) the libraries core and
-# backend_cpu with their headers under the same include paths.
+# What `cmake --install` copies: the program, and for find_package(dirt) the libraries core,
+# backend_cpu and (where it is built) backend_gl with their headers under the same include paths.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS dirt COMPONENT program)
 
 set(headers ${CMAKE_INSTALL_INCLUDEDIR}/dirt)
-foreach(folder core backend_cpu shaders/shared)
+set(folders core backend_cpu shaders/shared)
+set(libraries core backend_cpu)
+if(TARGET dirt_backend_gl)
+    list(APPEND folders backend_gl)
+    list(APPEND libraries backend_gl)
+    set(gl_dependency "pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)") # for dirtConfig
+endif()
+foreach(folder ${folders})
     get_filename_component(parent ${folder} DIRECTORY)
     install(DIRECTORY ${folder} DESTINATION ${headers}/${parent} COMPONENT development
         FILES_MATCHING PATTERN *.h)
 endforeach()
 
-set_target_properties(dirt_core PROPERTIES EXPORT_NAME core)
-set_target_properties(dirt_backend_cpu PROPERTIES EXPORT_NAME backend_cpu)
-install(TARGETS dirt_core dirt_backend_cpu EXPORT dirtTargets
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
-    INCLUDES DESTINATION ${headers})
+foreach(library ${libraries})
+    set_target_properties(dirt_${library} PROPERTIES EXPORT_NAME ${library})
+    install(TARGETS dirt_${library} EXPORT dirtTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+        INCLUDES DESTINATION ${headers})
+endforeach()
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/dirt)
 install(EXPORT dirtTargets NAMESPACE dirt:: DESTINATION ${package} COMPONENT development)

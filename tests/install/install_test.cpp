@@ -29,6 +29,10 @@ TEST(Install, TheExampleBuildsAgainstIt) {
     const Outcome tests = start(build + "/grid_test", {});
     EXPECT_EQ(tests.status, 0) << tests.out << tests.err;
     EXPECT_NE(tests.out.find("[  PASSED  ]"), std::string::npos) << tests.out;
+#ifdef DIRT_HAVE_GL
+    const Outcome glTests = start(build + "/gl_test", {});
+    EXPECT_EQ(glTests.status, 0) << glTests.out << glTests.err;
+#endif
 }
 
 } // namespace
