@@ -6,13 +6,37 @@ struct TripleProducts {
     int count;
 };
 
+// Half of the places of a sum's parts: compilers unroll loops of 32 rounds and no more, and then
+// all indices are constants. Places in memory cost more than the sum.
+const int kHalf = 24;
+
+/// Adds a term to parts of increasing magnitude, which move down by one place; the lowest, which is
+/// returned, out of this half. \p term: what is left for the place above.
+double addTo(inout double parts[kHalf], inout double term) {
+    double lowest = 0.0LF;
+    for (int p = 0; p < kHalf; ++p) { // TWO-SUM
+        double part = parts[p];
+        precise double total = part + term;
+        precise double virtualTerm = total - part;
+        precise double error = (part - (total - virtualTerm)) + (term - virtualTerm);
+        if (p == 0)
+            lowest = error;
+        else
+            parts[p - 1] = error;
+        term = total;
+    }
+    return lowest;
+}
+
 /// The sum: relative error at most 2^-50, exact sign. The same parts in the same order as ExactSum
 /// of core/grid/exact_sum.h, the largest in the last place; zeros elsewhere, which change nothing.
-/// So all indices are constants: places in memory cost more than the sum.
+/// Of 48 terms, the last finds the first place empty.
 double exactValue(TripleProducts sum) {
-    const int most = 48;
-    double parts[most]; // nonoverlapping, of increasing magnitude
-    for (int p = 0; p < most; ++p) parts[p] = 0.0LF;
+    double low[kHalf], high[kHalf]; // nonoverlapping, of increasing magnitude
+    for (int p = 0; p < kHalf; ++p) {
+        low[p] = 0.0LF;
+        high[p] = 0.0LF;
+    }
     vec3 x = sum.x[0], y = sum.y[0], z = sum.z[0];
     for (int at = 0; at < 12 * sum.count; ++at) {
         // x_i y_j z_k and -x_i y_k z_j; i is 0 as the axes take turns.
@@ -21,18 +45,13 @@ double exactValue(TripleProducts sum) {
         // The product of two floats is exact in double; split into halves of 26 bits (Dekker,
         // Veltkamp), each half times the third float is exact as well.
         precise double splitter = 134217729.0LF * xy; // 2^27 + 1
-        precise double high = splitter - (splitter - xy);
-        precise double low = xy - high;
-        precise double term = ((at & 1) == 0 ? high : low) * double(negative ? z.y : z.z);
-        for (int p = 0; p < most; ++p) { // TWO-SUM
-            double part = parts[p];
-            precise double total = part + term;
-            precise double virtualTerm = total - part;
-            precise double error = (part - (total - virtualTerm)) + (term - virtualTerm);
-            if (p > 0) parts[p - 1] = error; // the first place is empty before the last term
-            term = total;
-        }
-        parts[most - 1] = term;
+        precise double upper = splitter - (splitter - xy);
+        precise double lower = xy - upper;
+        precise double term = ((at & 1) == 0 ? upper : lower) * double(negative ? z.y : z.z);
+        addTo(low, term);
+        double moved = addTo(high, term);
+        low[kHalf - 1] = moved;
+        high[kHalf - 1] = term;
         if ((at & 3) != 3) continue;
         x = x.yzx;
         y = y.yzx;
@@ -45,7 +64,8 @@ double exactValue(TripleProducts sum) {
             }
     }
     precise double value = 0.0LF;
-    for (int p = 0; p < most; ++p) value = value + parts[p];
+    for (int p = 0; p < kHalf; ++p) value = value + low[p];
+    for (int p = 0; p < kHalf; ++p) value = value + high[p];
     return value;
 }
 
