@@ -1,7 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
-#include "core/cost/footprint.h"
+#include "core/cost/cost_model.h"
 #include "core/cost/forecast.h"
 #include "core/frame/memory_plan.h"
 #include "core/frame/precision.h"
@@ -110,6 +110,14 @@ Json precisionJson(const PrecisionReach& reach) {
             {"triangles_flattened", reach.flattened}};
 }
 
+Json costJson(const Footprint& footprint, const Input& input) {
+    const GridCost cost = gridCost(footprint, input.settings.grid);
+    return {{"tile_chosen", input.tileChosen},
+            {"bins_chosen", input.binsChosen},
+            {"build_ns", cost.build},
+            {"ray_ns", cost.ray}};
+}
+
 Json predictedJson(const Forecast& forecast, double listEntries) {
     return {{"build_ms", forecast.buildMs},
             {"sample_ms", forecast.sampleMs},
@@ -214,7 +222,14 @@ void printStructure(const Json& info) {
                           countText(info["spp"]) + " samples, " + countText(info["bounces"]) +
                           " bounces");
     printRow("views", countText(info["views"]) + ", " + info["view"].get<std::string>());
-    printRow("tile and bins", countText(info["tile"]) + " pixels, " + countText(info["bins"]));
+    const Json& cost = info["cost_model"];
+    const auto chosen = [&](const char* key) { return cost[key] ? " (by cost)" : ""; };
+    printRow("tile and bins", countText(info["tile"]) + " pixels" + chosen("tile_chosen") + ", " +
+                                  countText(info["bins"]) + chosen("bins_chosen"));
+    char costs[96];
+    std::snprintf(costs, sizeof costs, "%.1f ms of a thread for the build, %.0f ns a diffuse ray",
+                  cost["build_ns"].get<double>() / 1e6, cost["ray_ns"].get<double>());
+    printRow("what they add", costs);
     printRow("list entries", countText(info["list_entries"]));
     for (const Json& pass : info["passes"]) {
         char text[32];
@@ -267,6 +282,7 @@ void runInfo(const InfoOptions& options) {
 
     Json info = describe(input, *backend, *executor, build);
     const Footprint footprint(scene.mesh, scene.camera, input.settings.grid, *executor);
+    info["cost_model"] = costJson(footprint, input);
     info["predicted"] = predictedJson(forecastFrame(scene, input.settings, *backend),
                                       footprint.listEntries(input.settings.grid));
     if (options.json) {

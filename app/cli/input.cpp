@@ -3,6 +3,7 @@
 #include "app/cli/progress_bar.h"
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
+#include "core/cost/cost_model.h"
 #include "core/frame/auto_camera.h"
 #include "core/frame/move_scene.h"
 #include "core/io/error.h"
@@ -80,6 +81,17 @@ Standpoint standpointOf(const Mesh& mesh, const CommonOptions& options, const Gr
     return chooseStandpoint(mesh, backend, hints);
 }
 
+/// Tile and bins by the cost model, whose constants are the CPU's, where nothing else says them.
+void chooseStructure(Input& input, const CommonOptions& options, const SceneSettings& file,
+                     Executor& executor) {
+    if (options.backend != BackendKind::cpu) return;
+    input.tileChosen = !options.tile && !file.tile;
+    input.binsChosen = !options.bins && !file.bins;
+    if (!input.tileChosen && !input.binsChosen) return;
+    const Footprint footprint(input.scene.mesh, input.scene.camera, input.settings.grid, executor);
+    input.settings.grid = chooseGrid(footprint, input.settings, input.tileChosen, input.binsChosen);
+}
+
 } // namespace
 
 std::unique_ptr<Executor> makeExecutor(const CommonOptions& options) {
@@ -132,6 +144,7 @@ Input openInput(const CommonOptions& options, Executor& executor) {
     input.warnings = std::move(loaded.warnings);
     input.ignored = std::move(loaded.ignored);
     moveInput(input, options, options.frame.value_or(0), executor);
+    chooseStructure(input, options, loaded.settings, executor);
     return input;
 }
 

@@ -16,6 +16,8 @@ namespace dirt {
 struct Input {
     Scene scene;             ///< with a camera, and a light where the file is a bare model
     RenderSettings settings; ///< options over the scene file over the defaults
+    bool tileChosen = false; ///< by the cost model, as nothing else says it
+    bool binsChosen = false;
     int frame = 0;           ///< that the scene is at
     std::vector<Warning> warnings;
     std::vector<std::string> ignored; ///< names in the files that have no effect
@@ -31,7 +33,8 @@ std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& exe
 std::unique_ptr<Backend> makeBackend(BackendKind kind, const CommonOptions& options,
                                      Executor& executor);
 
-/// Loads SCENE of \p options and brings it to their frame. A scene without a camera gets one that
+/// Loads SCENE of \p options and brings it to their frame. Tile and bins that neither options nor
+/// the scene's file give are the cost model's on the CPU. A scene without a camera gets one that
 /// shows its frame 0; a bare model also a light and a background. Prints the warnings on standard
 /// error unless --quiet. Throws InputError.
 Input openInput(const CommonOptions& options, Executor& executor);

@@ -24,9 +24,9 @@ void addStructureOptions(CLI::App& command, CommonOptions& o) {
     addChoice(command, "--view", {"full", "single"},
               "six views around the eye, or only the camera's (default: full)",
               [&o](size_t i) { o.view = i == 0 ? ViewMode::full : ViewMode::single; });
-    addInteger(command, "--tile", 1, 64, "pixels along a tile (default: 16)",
+    addInteger(command, "--tile", 1, 64, "pixels along a tile (default: by cost)",
                [&o](int64_t n) { o.tile = (int) n; });
-    addInteger(command, "--bins", 1, 256, "depth bins of a tile (default: 16)",
+    addInteger(command, "--bins", 1, 256, "depth bins of a tile (default: by cost)",
                [&o](int64_t n) { o.bins = (int) n; });
     addInteger(command, "--view-size", 1, kMaxSize,
                "pixels along a cube face (default: the image's height)",

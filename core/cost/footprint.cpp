@@ -54,6 +54,7 @@ Footprint::Footprint(const Mesh& mesh, const Camera& camera, const GridSettings&
     GridSettings coarse = grid;
     coarse.tile = 64;
     const Eye eye(mesh, camera, coarse);
+    views_ = (int) eye.views().size();
     width_ = eye.views().front().width;
     height_ = eye.views().front().height;
     rimX_ = eye.rimX();
@@ -120,6 +121,15 @@ void Footprint::Sums::add(const Sums& other, double times) {
     }
 }
 
+double Footprint::tiles(const GridSettings& grid) const {
+    return (double) views_ * ((width_ + grid.tile - 1) / grid.tile) *
+           ((height_ + grid.tile - 1) / grid.tile);
+}
+
+double Footprint::tilesAcross(const GridSettings& grid) const {
+    return (double) std::max(width_, height_) / grid.tile;
+}
+
 double Footprint::listEntries(const GridSettings& grid) const {
     const double tileX = 2.0 * rimX_ * grid.tile / width_;
     const double tileY = 2.0 * rimY_ * grid.tile / height_;
@@ -133,8 +143,8 @@ double Footprint::listEntries(const GridSettings& grid) const {
         return depth.crossed + wide * (depth.alongX / tileX + depth.alongY / tileY) +
                wide * wide * depth.extent;
     };
-    const double across = (double) std::max(width_, height_) / grid.tile;
-    const double level = std::clamp(std::log2(across / kFewestTiles), 0.0, kLevels - 1.0);
+    const double level =
+        std::clamp(std::log2(tilesAcross(grid) / kFewestTiles), 0.0, kLevels - 1.0);
     const int below = std::min((int) level, kLevels - 2);
     const double part = level - below;
     return tiles + (grid.bins - 1) * ((1.0 - part) * crossings(sums_.depth[below]) +

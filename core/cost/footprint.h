@@ -35,6 +35,10 @@ public:
     /// Entries in all lists of the grid that \p grid describes; its views are those measured.
     double listEntries(const GridSettings& grid) const;
 
+    /// Tiles of all views, and along the longer side of one.
+    double tiles(const GridSettings& grid) const;
+    double tilesAcross(const GridSettings& grid) const;
+
     /// Polygons that the triangles leave in the views.
     double polygons() const { return sums_.polygons; }
 
@@ -62,6 +66,7 @@ private:
         void add(const Sums& other, double times);
     };
 
+    int views_ = 0;
     int width_ = 0, height_ = 0;     ///< of a view, in pixels
     double rimX_ = 1.0, rimY_ = 1.0; ///< a view spans [-rim, rim]
     Sums sums_;

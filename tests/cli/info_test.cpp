@@ -48,8 +48,8 @@ TEST(Info, DefaultsHoldWhereNothingIsSaid) {
     EXPECT_EQ(got["size"], json({1024, 512}));
     EXPECT_EQ(got["view"], "full");
     EXPECT_EQ(got["views"], 6);
-    EXPECT_EQ(got["tile"], 16);
-    EXPECT_EQ(got["bins"], 16);
+    EXPECT_EQ(got["cost_model"]["tile_chosen"], true);
+    EXPECT_EQ(got["cost_model"]["bins_chosen"], true);
     EXPECT_EQ(got["spp"], 16);
     EXPECT_EQ(got["bounces"], 3);
     EXPECT_EQ(got["seed"], 0);
