@@ -283,7 +283,8 @@ void runInfo(const InfoOptions& options) {
     Json info = describe(input, *backend, *executor, build);
     const Footprint footprint(scene.mesh, scene.camera, input.settings.grid, *executor);
     info["cost_model"] = costJson(footprint, input);
-    info["predicted"] = predictedJson(forecastFrame(scene, input.settings, *backend),
+    const auto fresh = makeBackend(options.common, *executor);
+    info["predicted"] = predictedJson(forecastFrame(scene, input.settings, *fresh),
                                       footprint.listEntries(input.settings.grid));
     if (options.json) {
         std::printf("%s\n", info.dump(2).c_str());

@@ -14,11 +14,14 @@ namespace {
 /// Pixels a side of the blocks that go on together.
 constexpr int kBlock = 8;
 
-/// Lets the paths of one block in \p stride each way go on after direct light.
+/// Which blocks go on.
+enum class Part { sixteenth, half };
+
+/// Lets the paths of a part of all blocks go on after direct light.
 class ThinnedBackend final : public ForwardingBackend {
 public:
-    ThinnedBackend(Backend& inner, const GridSettings& grid, int stride)
-        : ForwardingBackend(inner), grid_(grid), stride_(stride) {}
+    ThinnedBackend(Backend& inner, const GridSettings& grid, Part part)
+        : ForwardingBackend(inner), grid_(grid), part_(part) {}
 
     void depthMask(int event) override {
         inner_.depthMask(event);
@@ -47,11 +50,12 @@ public:
 
 private:
     bool goesOn(int x, int y) const {
-        return x / kBlock % stride_ == 0 && y / kBlock % stride_ == 0;
+        const int column = x / kBlock, row = y / kBlock;
+        return part_ == Part::half ? (column + row) % 2 == 0 : column % 4 == 0 && row % 4 == 0;
     }
 
     const GridSettings& grid_;
-    int stride_;
+    Part part_;
     double thinningMs_ = 0.0;
 };
 
@@ -61,10 +65,10 @@ struct Trial {
     FrameCounts counts;
 };
 
-Trial run(const Scene& scene, const RenderSettings& settings, Backend& backend, int stride) {
+Trial run(const Scene& scene, const RenderSettings& settings, Backend& backend, Part part) {
     RenderSettings one = settings;
     one.samples = 1;
-    ThinnedBackend thinned(backend, one.grid, stride);
+    ThinnedBackend thinned(backend, one.grid, part);
     const RenderResult frame = Renderer(scene, one, thinned).render();
     Trial trial;
     trial.part = thinned.part();
@@ -78,7 +82,8 @@ Trial run(const Scene& scene, const RenderSettings& settings, Backend& backend, 
 } // namespace
 
 Forecast forecastFrame(const Scene& scene, const RenderSettings& settings, Backend& backend) {
-    const Trial few = run(scene, settings, backend, 4), some = run(scene, settings, backend, 2);
+    const Trial few = run(scene, settings, backend, Part::sixteenth);
+    const Trial some = run(scene, settings, backend, Part::half);
     // At part 1 of the line through the two, which are the same without indirect paths, and in
     // images of less than two blocks.
     const auto all = [&](double fewer, double more) {
@@ -86,7 +91,7 @@ Forecast forecastFrame(const Scene& scene, const RenderSettings& settings, Backe
         return std::max(more, more + (more - fewer) * (1.0 - some.part) / (some.part - few.part));
     };
     Forecast forecast;
-    forecast.buildMs = std::min(few.buildMs, some.buildMs);
+    forecast.buildMs = few.buildMs;
     forecast.sampleMs = all(few.sampleMs, some.sampleMs);
     forecast.frameMs = forecast.buildMs + settings.samples * forecast.sampleMs;
     forecast.rays = settings.samples * all((double) few.counts.rays, (double) some.counts.rays);
