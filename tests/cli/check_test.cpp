@@ -96,9 +96,10 @@ TEST(Check, ShowsADifferenceAndHowToSeeItAgain) {
     source.replace(source.find(whole), whole.size(), less);
     folder.write("shaders/fill_primitives.frag", source);
     const std::string scene = litTriangle(folder);
-    const Outcome run = startDirt({"check", scene, "--size", "64x64", "--bounces", "1", "--seed",
-                                   "5", "--fetch", "direct", "--traversal", "linear"},
-                                  [&] { setenv("DIRT_SHADERS", shaders.c_str(), 1); });
+    const Outcome run =
+        startDirt({"check", scene, "--size", "64x64", "--bounces", "1", "--seed", "5", "--fetch",
+                   "direct", "--traversal", "linear", "--tile", "16", "--bins", "16"},
+                  [&] { setenv("DIRT_SHADERS", shaders.c_str(), 1); });
     EXPECT_EQ(run.status, 1) << run.err;
     EXPECT_NE(run.err.find("lacks triangle 0"), run.err.npos) << run.err;
     EXPECT_NE(run.err.find("again: dirt check " + scene +
