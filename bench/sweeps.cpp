@@ -74,6 +74,10 @@ Sweeps makeSweeps(const RenderSettings& around) {
     builder.add("full", [](RenderSettings& s) { s.shading = Shading::full; });
     builder.add("packed", [](RenderSettings& s) { s.shading = Shading::packed; });
 
+    builder.begin("visibility");
+    builder.add("traced", [](RenderSettings& s) { s.visibility = LightVisibility::traced; });
+    builder.add("shadowmap", [](RenderSettings& s) { s.visibility = LightVisibility::shadowMap; });
+
     builder.begin("view");
     builder.add("full", [](RenderSettings& s) { s.grid.mode = ViewMode::full; });
     builder.add("single", [](RenderSettings& s) { s.grid.mode = ViewMode::single; });

@@ -90,6 +90,10 @@ Json bufferJson(const Requirements& need, const Input& input, const Backend& bac
          planStructure(grid, scene.camera, scene.mesh.triangles.size(), backend.listEntries()))
         reasons[row.name] = row.reason;
     reasons["light grid"] = "triangles as the light sees them, for shadow rays";
+    reasons["leaf blocks"] = "the lists as the CPU traces them: boxes and ids, sixteen at a time";
+    reasons["fragments"] = "pairs of triangles and tiles on their way into lists";
+    reasons["states of rays"] = "where rays stand between dispatches";
+    reasons["embree scene"] = "Embree's copy of the triangles, and its tree";
     Json rows = Json::array();
     for (const auto& [name, bytes] : backend.memory()) {
         const auto known = reasons.find(name);

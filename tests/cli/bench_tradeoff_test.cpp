@@ -58,8 +58,10 @@ TEST(BenchTradeoff, WritesTablesPlotsAndPictures) {
         EXPECT_GT(point["sample_ms"], 0);
         EXPECT_GT(point["memory"], 0);
         const std::string sweep = point["sweep"];
-        // Precision, shading, views and bounces decide which image is found, and nothing else.
-        if (sweep != "precision" && sweep != "shading" && sweep != "view" && sweep != "bounces") {
+        // Precision, shading, visibility, views and bounces decide which image is found, and
+        // nothing else.
+        if (sweep != "precision" && sweep != "shading" && sweep != "visibility" &&
+            sweep != "view" && sweep != "bounces") {
             EXPECT_EQ(point["same_image_as"], 0) << point.dump();
         }
         if (sweep == "bounces" && point["value"] == "1") {
