@@ -144,16 +144,15 @@ def measure_scaling(rounds):
 
 
 def sweep_table(reports, sweep):
-    """Build, sample and memory of one sweep, scene beside scene."""
+    """Build and sample of one sweep, scene beside scene."""
     head = [sweep]
     rows = {}
     for title, report in reports.items():
-        head += [f"{title}: build", "sample", "MB"]
+        head += [f"{title}: build", "sample"]
         for point in report["points"]:
             if point["sweep"] == sweep:
                 rows.setdefault(point["value"], [point["value"]])
-                rows[point["value"]] += [number(point["build_ms"]), number(point["sample_ms"]),
-                                         number(point["memory"] / 1e6)]
+                rows[point["value"]] += [number(point["build_ms"]), number(point["sample_ms"])]
     return table(head, rows.values())
 
 
@@ -192,13 +191,12 @@ def choice_table(reports):
             "one sample a frame, everything moves": lambda p: p["build_ms"] + p["sample_ms"],
             "16 samples a frame": lambda p: p["build_ms"] + 16 * p["sample_ms"],
             "the quickest build": lambda p: p["build_ms"],
-            "the least memory": lambda p: p["memory"],
         }
         for wish, cost in wishes.items():
             best = min(points, key=cost)
             rows.append([f"{title}: {wish}", best["value"], number(best["build_ms"]),
-                         number(best["sample_ms"]), number(best["memory"] / 1e6)])
-    return table(["what counts", "tile/bins", "build, ms", "sample, ms", "MB"], rows)
+                         number(best["sample_ms"])])
+    return table(["what counts", "tile/bins", "build, ms", "sample, ms"], rows)
 
 
 def misses():
