@@ -1,5 +1,6 @@
 #include "core/cost/cost_model.h"
 
+#include "tests/support/mesh_of.h"
 #include "tests/support/small_scenes.h"
 
 #include <gtest/gtest.h>
@@ -13,17 +14,11 @@ Footprint roomOfSpheres() {
     std::vector<Triangle> triangles;
     for (int i = 0; i < 20; ++i) test::addSphere(random, triangles, 60, 30);
     test::addRoom(random, triangles);
-    Mesh mesh;
-    for (const Triangle& triangle : triangles) {
-        const uint32_t first = (uint32_t) mesh.positions.size();
-        mesh.positions.insert(mesh.positions.end(), {triangle.a, triangle.b, triangle.c});
-        mesh.triangles.push_back({first, first + 1, first + 2});
-    }
     Camera camera;
     camera.target = {0, 0, -1};
     camera.eye = {0, 0, 0};
     SerialExecutor serial;
-    return {mesh, camera, GridSettings(), serial};
+    return {test::meshOf(triangles), camera, GridSettings(), serial};
 }
 
 double frameCost(const Footprint& footprint, const RenderSettings& settings,

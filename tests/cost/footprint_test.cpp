@@ -3,6 +3,7 @@
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
 #include "core/io/load.h"
+#include "tests/support/mesh_of.h"
 #include "tests/support/small_scenes.h"
 
 #include <gtest/gtest.h>
@@ -13,15 +14,7 @@
 namespace dirt {
 namespace {
 
-Mesh meshOf(const std::vector<Triangle>& triangles) {
-    Mesh mesh;
-    for (const Triangle& triangle : triangles) {
-        const uint32_t first = (uint32_t) mesh.positions.size();
-        mesh.positions.insert(mesh.positions.end(), {triangle.a, triangle.b, triangle.c});
-        mesh.triangles.push_back({first, first + 1, first + 2});
-    }
-    return mesh;
-}
+using test::meshOf;
 
 Camera lookingAround() {
     Camera camera;
