@@ -115,15 +115,13 @@ TEST(CutOuts, SilhouetteIsThatOfTheTexture) {
         isHit(geometry, glm::vec3(0.0f), 2, 0.3f, 0.3f)); // without a scene there are no holes
 }
 
-TEST(CutOuts, AreTheSameForEveryStructureAndBackend) {
-    const Scene scene = cardScene();
-    SerialExecutor executor;
-    CpuBackend cpu(executor);
-    const Rendered expected = render(scene, settings(16), cpu);
+/// For fine and coarse tiles, traced primary rays, core's traversal and Embree.
+void expectSameEverywhere(const Scene& scene, const Rendered& expected, Executor& executor) {
     const auto expectSame = [&](const Rendered& other, const std::string& what) {
         EXPECT_EQ(other.seen, expected.seen) << what;
         EXPECT_EQ(other.image, expected.image) << what;
     };
+    CpuBackend cpu(executor);
     for (int tile : {1, 64}) expectSame(render(scene, settings(tile), cpu), "tile");
     RenderSettings traced = settings(16);
     traced.primary = Primary::traced;
@@ -134,6 +132,14 @@ TEST(CutOuts, AreTheSameForEveryStructureAndBackend) {
     EmbreeBackend embree(executor);
     expectSame(render(scene, settings(16), embree), "embree");
 #endif
+}
+
+TEST(CutOuts, AreTheSameForEveryStructureAndBackend) {
+    const Scene scene = cardScene();
+    SerialExecutor executor;
+    CpuBackend cpu(executor);
+    const Rendered expected = render(scene, settings(16), cpu);
+    expectSameEverywhere(scene, expected, executor);
 }
 
 /// Seen from its front a surface with one side is as any other, from behind it is not there; for
@@ -162,20 +168,7 @@ TEST(CutOuts, OneSidedSurfacesAreNotThereFromBehind) {
             EXPECT_EQ(count(expected), 0);
         else
             EXPECT_EQ(expected.seen, twoSided.seen);
-        const auto expectSame = [&](const Rendered& other, const std::string& what) {
-            EXPECT_EQ(other.seen, expected.seen) << what;
-            EXPECT_EQ(other.image, expected.image) << what;
-        };
-        RenderSettings other = settings(1);
-        expectSame(render(scene, other, cpu), "tile");
-        other.primary = Primary::traced;
-        expectSame(render(scene, other, cpu), "traced primary rays");
-        other.grid.traversal = Traversal::linear; // core's own traversal
-        expectSame(render(scene, other, cpu), "core");
-#ifdef DIRT_HAVE_EMBREE
-        EmbreeBackend embree(executor);
-        expectSame(render(scene, settings(16), embree), "embree");
-#endif
+        expectSameEverywhere(scene, expected, executor);
     }
 }
 
