@@ -24,16 +24,18 @@ uint64_t totalBytes(const Backend& backend) {
 
 class Run {
 public:
-    Run(const Scene& scene, Backend& backend, Backend& peer, Executor& executor,
+    Run(const Scene& scene, const BackendMaker& makeBackend, Backend& peer, Executor& executor,
         const TradeoffOptions& options)
-        : scene_(scene), backend_(backend), peer_(peer), executor_(executor), options_(options) {}
+        : scene_(scene), makeBackend_(makeBackend), peer_(peer), executor_(executor),
+          options_(options), backend_(makeBackend()) {}
 
     TradeoffReport operator()(const RenderSettings& around) {
         report_.sweeps = makeSweeps(around);
         report_.settings.resize(report_.sweeps.settings.size());
         report_.images.resize(report_.sweeps.settings.size());
-        time();
+        takeMemory();
         takeErrors();
+        time();
         return std::move(report_);
     }
 
@@ -42,25 +44,35 @@ private:
         if (options_.progress) options_.progress(line);
     }
 
-    void time() {
+    RenderResult frame(size_t i, Backend& backend) const {
+        RenderSettings one = report_.sweeps.settings[i];
+        one.samples = 1;
+        return Renderer(scene_, one, backend).render();
+    }
+
+    /// And which images are the same.
+    void takeMemory() {
+        say("memory");
         std::vector<Image> images;
-        for (int round = -1; round < options_.rounds; ++round) {
-            say("round " + std::to_string(round + 1) + " of " + std::to_string(options_.rounds));
+        for (size_t i = 0; i < report_.settings.size(); ++i) {
+            const std::unique_ptr<Backend> fresh = makeBackend_();
+            images.push_back(frame(i, *fresh).image);
+            SettingsReport& to = report_.settings[i];
+            to.listEntries = fresh->listEntries();
+            to.bytes = totalBytes(*fresh);
+            to.image = sameImage(images, i);
+        }
+    }
+
+    void time() {
+        for (int round = 0; round <= options_.rounds; ++round) {
+            say("round " + std::to_string(round) + " of " + std::to_string(options_.rounds));
             for (size_t i = 0; i < report_.settings.size(); ++i) {
-                RenderSettings one = report_.sweeps.settings[i];
-                one.samples = 1;
-                const RenderResult frame = Renderer(scene_, one, backend_).render();
-                SettingsReport& to = report_.settings[i];
-                if (round < 0) {
-                    to.listEntries = backend_.listEntries();
-                    to.bytes = totalBytes(backend_);
-                    images.push_back(frame.image);
-                    to.image = sameImage(images, i);
-                } else {
-                    const double build = sumOf(frame.build);
-                    to.build.ms.push_back(build);
-                    to.sample.ms.push_back(sumOf(frame.passes) - build);
-                }
+                const RenderResult result = frame(i, *backend_);
+                if (round == 0) continue; // warms up
+                const double build = sumOf(result.build);
+                report_.settings[i].build.ms.push_back(build);
+                report_.settings[i].sample.ms.push_back(sumOf(result.passes) - build);
             }
         }
     }
@@ -72,24 +84,32 @@ private:
     }
 
     Image converge(RenderSettings settings, int bounces) {
-        say("reference, " + std::to_string(bounces) + " bounces");
         settings.grid.mode = ViewMode::full;
         settings.samples = options_.referenceSamples;
         settings.bounces = bounces;
         ++settings.seed; // other samples than those whose error it shows
-        return Renderer(scene_, settings, peer_).render().image;
+        const auto trace = [&] {
+            say("reference, " + std::to_string(bounces) + " bounces");
+            return Renderer(scene_, settings, peer_).render().image;
+        };
+        return options_.reference ? options_.reference(settings, trace) : trace();
     }
 
     void takeErrors() {
         const std::vector<RenderSettings>& all = report_.sweeps.settings;
+        const auto differs = [&](size_t i) { return report_.settings[i].image == i; };
+        if (options_.knownErrors) {
+            for (size_t i = 0; i < all.size(); ++i)
+                if (differs(i)) report_.settings[i].errors = options_.knownErrors(i);
+            return;
+        }
         int most = 0;
         for (const RenderSettings& settings : all) most = std::max(most, settings.bounces);
         report_.reference = converge(all.front(), all.front().bounces);
         const Image longest = converge(all.front(), most);
         for (size_t i = 0; i < all.size(); ++i) {
-            if (report_.settings[i].image != i) continue;
             const bool other = all[i].bounces != all.front().bounces;
-            takeErrors(i, other ? longest : report_.reference);
+            if (differs(i)) takeErrors(i, other ? longest : report_.reference);
         }
     }
 
@@ -101,7 +121,7 @@ private:
         RenderHooks hooks;
         hooks.progress = [&](int done, int total) {
             if ((done & (done - 1)) != 0 && done != total) return;
-            Image image{settings.grid.width, settings.grid.height, backend_.readImage()};
+            Image image{settings.grid.width, settings.grid.height, backend_->readImage()};
             for (glm::vec3& pixel : image.pixels) pixel *= 1.0f / (float) done;
             const Plane seen = hdrFlip(image, reference, executor_);
             report_.settings[i].errors.push_back(
@@ -109,23 +129,24 @@ private:
                  std::accumulate(seen.values.begin(), seen.values.end(), 0.0) /
                      (double) seen.values.size()});
         };
-        report_.images[i] = Renderer(scene_, settings, backend_).render(hooks).image;
+        report_.images[i] = Renderer(scene_, settings, *backend_).render(hooks).image;
     }
 
     const Scene& scene_;
-    Backend& backend_;
+    const BackendMaker& makeBackend_;
     Backend& peer_;
     Executor& executor_;
     const TradeoffOptions& options_;
+    std::unique_ptr<Backend> backend_; ///< that errors and times are taken of
     TradeoffReport report_;
 };
 
 } // namespace
 
-TradeoffReport benchTradeoff(const Scene& scene, const RenderSettings& around, Backend& backend,
-                             Backend& reference, Executor& executor,
-                             const TradeoffOptions& options) {
-    return Run(scene, backend, reference, executor, options)(around);
+TradeoffReport benchTradeoff(const Scene& scene, const RenderSettings& around,
+                             const BackendMaker& makeBackend, Backend& reference,
+                             Executor& executor, const TradeoffOptions& options) {
+    return Run(scene, makeBackend, reference, executor, options)(around);
 }
 
 } // namespace dirt

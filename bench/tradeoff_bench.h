@@ -8,6 +8,7 @@
 #include "core/io/image.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct ErrorAt {
 /// What one choice of settings costs, and what it gives.
 struct SettingsReport {
     Timing build, sample; ///< of frames of one sample
-    uint64_t bytes = 0;   ///< all buffers
+    uint64_t bytes = 0;   ///< all buffers of a backend that has done nothing else
     uint64_t listEntries = 0;
     size_t image = 0;            ///< first settings that gave this very image, to the bit
     std::vector<ErrorAt> errors; ///< of those settings; empty for the others
@@ -42,15 +43,23 @@ struct TradeoffOptions {
     int rounds = 9;   ///< measured, after one that is not
     int samples = 64; ///< of the images whose error is taken
     int referenceSamples = 1024;
+    /// The reference of some settings, which \p trace makes. Empty: it is traced.
+    std::function<Image(const RenderSettings&, const std::function<Image()>& trace)> reference;
+    /// The errors of one of Sweeps::settings, known before. Empty: they are taken.
+    std::function<std::vector<ErrorAt>(size_t settings)> knownErrors;
     std::function<void(const std::string&)> progress; ///< one line, now and then
 };
 
-/// Times frames of one sample under all settings in turn, round after round; then the error of each
-/// different image, at powers of two of the samples, against \p reference's backend with another
-/// seed. The reference has the bounces of \p around, but that of the settings of other bounces has
-/// the most of any.
-TradeoffReport benchTradeoff(const Scene& scene, const RenderSettings& around, Backend& backend,
-                             Backend& reference, Executor& executor,
-                             const TradeoffOptions& options);
+/// A backend that has done nothing yet.
+using BackendMaker = std::function<std::unique_ptr<Backend>()>;
+
+/// Takes the memory of frames of one sample under all settings, each by a backend of its own; then
+/// the error of each different image, at powers of two of the samples, against \p reference's
+/// backend with another seed; then times such frames of one backend in turn, round after round. The
+/// reference has the bounces of \p around, but that of the settings of other bounces has the most
+/// of any.
+TradeoffReport benchTradeoff(const Scene& scene, const RenderSettings& around,
+                             const BackendMaker& makeBackend, Backend& reference,
+                             Executor& executor, const TradeoffOptions& options);
 
 } // namespace dirt

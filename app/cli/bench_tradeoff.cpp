@@ -6,6 +6,7 @@
 #include "core/io/output_file.h"
 
 #ifdef DIRT_HAVE_EMBREE
+#include "app/cli/tradeoff_errors.h"
 #include "app/cli/tradeoff_pictures.h"
 #include "backend_embree/embree_backend.h"
 #include "bench/tradeoff_bench.h"
@@ -14,6 +15,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace dirt {
@@ -23,6 +25,8 @@ namespace {
 struct TradeoffCommand {
     CommonOptions common;
     std::string directory;
+    std::string references; ///< folder; empty: none are kept
+    std::string errors;     ///< file; empty: errors are taken
     int rounds = 9, samples = 64, referenceSamples = 1024;
     bool json = false;
 };
@@ -94,21 +98,23 @@ std::string csvOf(const Json& json) {
     return csv.str();
 }
 
-Json reportJson(const Input& input, const Executor& executor, const TradeoffCommand& command,
-                const TradeoffReport& report) {
-    const RenderSettings& around = report.sweeps.settings.front();
+/// What the run is about, which decides all its images.
+Json headJson(const Input& input) {
+    const RenderSettings& around = input.settings;
+    const Camera& camera = input.scene.camera;
+    const auto list = [](glm::vec3 v) { return Json{v.x, v.y, v.z}; };
     Json json;
     json["scene"] = input.scene.name;
     json["triangles"] = input.scene.mesh.triangles.size();
+    json["camera"] = {{"eye", list(camera.eye)},
+                      {"target", list(camera.target)},
+                      {"up", list(camera.up)},
+                      {"fov", camera.verticalFov}};
     json["size"] = {around.grid.width, around.grid.height};
     json["tile"] = around.grid.tile;
     json["bins"] = around.grid.bins;
     json["bounces"] = around.bounces;
-    json["threads"] = executor.threads();
-    json["rounds"] = command.rounds;
-    json["reference_spp"] = command.referenceSamples;
-    json["points"] = pointsJson(report);
-    json["errors"] = errorsJson(report);
+    json["seed"] = around.seed;
     return json;
 }
 
@@ -139,21 +145,31 @@ void runTradeoff(const TradeoffCommand& command) {
     std::filesystem::create_directories(command.directory);
     const std::string stem = (std::filesystem::path(command.directory) / input.scene.name).string();
     checkWritable(stem + "-tradeoff.json");
-    const auto backend = makeBackend(command.common, *executor);
-    EmbreeBackend peer(*executor);
-
+    Json json = headJson(input);
     TradeoffOptions options;
     options.rounds = command.rounds;
     options.samples = command.samples;
     options.referenceSamples = command.referenceSamples;
+    if (!command.references.empty()) options.reference = KeptReferences(command.references, input);
+    if (!command.errors.empty()) {
+        const KnownErrors known(command.errors, json, makeSweeps(input.settings));
+        options.referenceSamples = known.referenceSamples();
+        options.knownErrors = [known](size_t settings) { return known.of(settings); };
+    }
     if (!command.common.quiet)
         options.progress = [](const std::string& line) {
             std::fprintf(stderr, "%s\n", line.c_str());
         };
+    const auto make = [&] { return makeBackend(command.common, *executor); };
+    EmbreeBackend peer(*executor);
     const TradeoffReport report =
-        benchTradeoff(input.scene, input.settings, *backend, peer, *executor, options);
+        benchTradeoff(input.scene, input.settings, make, peer, *executor, options);
 
-    const Json json = reportJson(input, *executor, command, report);
+    json["threads"] = executor->threads();
+    json["rounds"] = options.rounds;
+    json["reference_spp"] = options.referenceSamples;
+    json["points"] = pointsJson(report);
+    json["errors"] = errorsJson(report);
     writeFile(stem + "-tradeoff.json", json.dump(2) + "\n");
     writeFile(stem + "-tradeoff.csv", csvOf(json["points"]));
     writeFile(stem + "-errors.csv", csvOf(json["errors"]));
@@ -189,6 +205,13 @@ void addBenchTradeoff(CLI::App& bench, int& status) {
                [options](int64_t n) { options->samples = (int) n; });
     addInteger(*command, "--reference-spp", 1, 1 << 20, "samples of the reference (default: 1024)",
                [options](int64_t n) { options->referenceSamples = (int) n; });
+    command
+        ->add_option("--references", options->references,
+                     "folder that has the references, or is to keep them")
+        ->type_name("DIR");
+    command
+        ->add_option("--errors", options->errors, "take the errors from the JSON of an earlier run")
+        ->type_name("FILE");
     command->add_flag("--json", options->json, "print one JSON object on standard output");
     command->callback([options, &status] {
         runTradeoff(*options);

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/image_metadata.h"
 #include "app/cli/input.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/json_report.h"
@@ -45,24 +46,9 @@ std::string numbered(const std::string& path, int frame) {
     return (file.parent_path() / file.stem()).string() + number + file.extension().string();
 }
 
-/// What the image file says of itself. Nothing that differs between runs, so that equal renders
-/// are equal files.
-ImageMetadata describe(const Input& input, const RenderResult& result) {
-    const RenderSettings& settings = input.settings;
-    const bool full = settings.grid.mode == ViewMode::full;
-    ImageMetadata metadata = {{"dirt:scene", input.scene.name},
-                              {"dirt:samples", std::to_string(result.samples)},
-                              {"dirt:bounces", std::to_string(settings.bounces)},
-                              {"dirt:seed", std::to_string(settings.seed)},
-                              {"dirt:view", full ? "full" : "single"}};
-    if (!input.scene.animation.empty())
-        metadata.emplace_back("dirt:frame", std::to_string(input.frame));
-    return metadata;
-}
-
 void writeImage(const std::string& path, const Input& input, const RenderResult& result) {
     const Image& image = result.image;
-    const ImageMetadata metadata = describe(input, result);
+    const ImageMetadata metadata = metadataOf(input, input.settings, result.samples);
     if (imageFormat(path) == ImageFormat::exr) {
         writeExr(path, image, metadata);
         return;

@@ -3,6 +3,7 @@
 #include "bench/plot.h"
 #include "bench/scaling_bench.h"
 #include "bench/sweeps.h"
+#include "core/io/image.h"
 #include "tests/cli/program.h"
 
 #include <nlohmann/json.hpp>
@@ -42,12 +43,39 @@ TEST(Scaling, FitsTheExponentOfAPower) {
 
 #ifdef DIRT_HAVE_EMBREE
 
+/// Of a small picture, with \p more options.
+Outcome tradeoff(const std::string& output, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{
+        "bench",  "tradeoff",    DIRT_SOURCE_DIR "/scenes/cornell.scene",
+        "--size", "32x16",       "--rounds",
+        "1",      "--error-spp", "2",
+        "--json", "--quiet",     "--reference-spp",
+        "4",      "-o",          output};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return dirt::test::dirt(arguments);
+}
+
+/// What \p key is in all rows of a report's table.
+std::vector<json> column(const json& rows, const char* key) {
+    std::vector<json> values;
+    for (const json& row : rows) values.push_back(row.at(key));
+    return values;
+}
+
+/// The bytes of a frame of one sample, by a program that has done nothing else.
+json bytesAlone(const json& report, const std::string& sweep, const std::string& value,
+                const TemporaryFolder& folder) {
+    const Outcome run = dirt::test::dirt(
+        {"render", DIRT_SOURCE_DIR "/scenes/cornell.scene", "--size", "32x16", "--spp", "1",
+         "--tile", report["tile"].dump(), "--bins", report["bins"].dump(), "--" + sweep, value,
+         "-o", folder / "one.exr", "--json", "--quiet"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return json::parse(run.out)["memory"]["total"];
+}
+
 TEST(BenchTradeoff, WritesTablesPlotsAndPictures) {
     const TemporaryFolder folder;
-    const std::string cornell = DIRT_SOURCE_DIR "/scenes/cornell.scene";
-    const Outcome run = dirt::test::dirt({"bench", "tradeoff", cornell, "--size", "32x16",
-                                          "--rounds", "1", "--error-spp", "2", "--reference-spp",
-                                          "4", "-o", folder / "out", "--json", "--quiet"});
+    const Outcome run = tradeoff(folder / "out", {});
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     const json report = json::parse(run.out);
@@ -56,8 +84,12 @@ TEST(BenchTradeoff, WritesTablesPlotsAndPictures) {
     bool fewerBounces = false;
     for (const json& point : report["points"]) {
         EXPECT_GT(point["sample_ms"], 0);
-        EXPECT_GT(point["memory"], 0);
         const std::string sweep = point["sweep"];
+        // Whatever frames of other settings came before.
+        if (sweep == "tile" || sweep == "shading" || sweep == "view" || sweep == "bounces") {
+            EXPECT_EQ(point["memory"], bytesAlone(report, sweep, point["value"], folder))
+                << point.dump();
+        }
         // Precision, shading, visibility, views and bounces decide which image is found, and
         // nothing else.
         if (sweep != "precision" && sweep != "shading" && sweep != "visibility" &&
@@ -87,6 +119,59 @@ TEST(BenchTradeoff, WritesTablesPlotsAndPictures) {
          {"cornell-time-tile.svg", "cornell-time-bins.svg", "cornell-memory.svg",
           "cornell-error.svg", "cornell-as-given.png", "cornell-bounces-1-error.png"})
         EXPECT_TRUE(names.contains(file)) << file;
+}
+
+TEST(BenchTradeoff, TakesErrorsApartFromTimes) {
+    const TemporaryFolder folder;
+    const std::string references = folder / "references";
+    const Outcome first = tradeoff(folder / "first", {"--references", references});
+    ASSERT_EQ(first.status, 0) << first.err;
+    EXPECT_EQ(TemporaryFolder::namesIn(references),
+              (std::set<std::string>{"cornell-3.exr", "cornell-8.exr"}));
+    const json errors = json::parse(first.out)["errors"];
+
+    // The references are read: doubled, they make other errors.
+    const std::string file = references + "/cornell-3.exr";
+    dirt::Image image = dirt::readImage(file);
+    const dirt::ImageMetadata metadata = dirt::readMetadata(file);
+    for (glm::vec3& pixel : image.pixels) pixel *= 2.0f;
+    dirt::writeExr(file, image, metadata);
+    const Outcome doubled = tradeoff(folder / "doubled", {"--references", references});
+    ASSERT_EQ(doubled.status, 0) << doubled.err;
+    EXPECT_NE(json::parse(doubled.out)["errors"][0]["flip"], errors[0]["flip"]);
+
+    // Known errors are those of the file.
+    const std::string known = folder / "first/cornell-tradeoff.json";
+    const Outcome times = tradeoff(folder / "times", {"--errors", known});
+    ASSERT_EQ(times.status, 0) << times.err;
+    for (const char* key : {"settings", "samples", "relative_mse", "flip"})
+        EXPECT_EQ(column(json::parse(times.out)["errors"], key), column(errors, key)) << key;
+    EXPECT_FALSE(TemporaryFolder::namesIn(folder / "times").contains("cornell-as-given.png"));
+    EXPECT_TRUE(TemporaryFolder::namesIn(folder / "times").contains("cornell-error.svg"));
+
+    // What is of another picture, or of none, is refused.
+    const auto refuses = [&](const std::string& said, const std::vector<std::string>& more) {
+        const Outcome run = tradeoff(folder / "refused", more);
+        EXPECT_EQ(run.status, 2) << said;
+        EXPECT_NE(run.err.find(said), std::string::npos) << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    };
+    refuses("its size is 32x16, not 16x16", {"--references", references, "--size", "16x16"});
+    refuses("its seed is 1, not 5", {"--references", references, "--seed", "4"});
+    refuses("its camera is --eye=", {"--references", references, "--eye=0,1,2"});
+    refuses("its size is [32,16], not [16,16]", {"--errors", known, "--size", "16x16"});
+    refuses("its camera is ", {"--errors", known, "--eye=0,1,2"});
+    refuses("is not the JSON of", {"--errors", folder.write("a.json", "{\"scene\": ")});
+    refuses("is not the JSON of", {"--errors", folder.write("b.json", "{}")});
+    refuses("none.json", {"--errors", folder / "none.json"});
+    json other = json::parse(readFile(known));
+    other["points"].erase(3);
+    refuses("of other sweeps", {"--errors", folder.write("c.json", other.dump())});
+    other = json::parse(readFile(known));
+    other["errors"] = json::array();
+    refuses("has no errors of settings 0", {"--errors", folder.write("d.json", other.dump())});
+    folder.write("references/cornell-3.exr", "no image");
+    refuses("cornell-3.exr", {"--references", references});
 }
 
 TEST(BenchScaling, TimesTwoSizesOfAtriumAndLeavesNoScene) {
