@@ -11,10 +11,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
 
 namespace dirt::test {
 namespace {
+
+constexpr int kShadowMap = 50; ///< texels along it
 
 RenderSettings smallImage() {
     RenderSettings settings;
@@ -144,6 +145,49 @@ TEST(CheckPasses, FindsNothingWhereNothingIsWrong) {
                       row.compared)
                 << row.pass << " " << row.event << ", " << row.buffer;
     }
+}
+
+/// Of a shader of ShadowMap; \p isWrong: whether a texel is then wrong, by its depth and place.
+void expectShadowMapCaught(const std::string& file, const std::string& from, const std::string& to,
+                           const std::function<bool(float depth, size_t texel)>& isWrong) {
+    SCOPED_TRACE(file + ": " + to);
+    const EditedShaders shaders;
+    shaders.replace(file, from, to);
+    GlOptions options;
+    options.shaders = shaders.files();
+    SerialExecutor executor;
+    CpuBackend cpu(executor), other(executor);
+    GlBackend gl(options);
+    RenderSettings settings = smallImage();
+    settings.visibility = LightVisibility::shadowMap;
+    settings.bounces = 1;
+    Scene scene = room();
+    scene.lights[0].resolution = kShadowMap;
+    Renderer(scene, settings, other).render();
+    const std::vector<float> depths = other.readShadowMap();
+    ASSERT_EQ(depths.size(), (size_t) kShadowMap * kShadowMap);
+    uint64_t wrong = 0;
+    for (size_t i = 0; i < depths.size(); ++i) wrong += isWrong(depths[i], i);
+    EXPECT_GT(wrong, 5u);
+    int rows = 0;
+    for (const CheckRow& row : checkBackends(scene, settings, cpu, gl).rows) {
+        EXPECT_EQ(row.different, row.pass == "ShadowMap" ? wrong : 0u)
+            << row.pass << " " << row.event << ", " << row.buffer << ", " << row.tested << " on "
+            << row.source;
+        rows += row.pass == "ShadowMap";
+    }
+    EXPECT_EQ(rows, 2);
+}
+
+TEST(CheckPasses, CatchesFaultsOfShadowMap) {
+    const auto isSeen = [](float depth) { return depth != kNothingCasts; };
+    expectShadowMapCaught(
+        "shadow_map.frag", "nearest = hit.t;",
+        "nearest = (texel.y * frame.shadowMap.resolution + texel.x) % 7u == 3u\n"
+        "              ? uintBitsToFloat(floatBitsToUint(hit.t) - 1u) : hit.t;",
+        [&](float depth, size_t texel) { return isSeen(depth) && isThird(texel); });
+    expectShadowMapCaught("shadow_map.frag", "castsShadow(frame.shadowMap, hit.t)", "false",
+                          [&](float depth, size_t) { return isSeen(depth); });
 }
 
 TEST(CheckPasses, CatchesFaultsOfDirectVisibility) {
