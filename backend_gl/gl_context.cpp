@@ -26,7 +26,8 @@ const char* clientExtensions() {
         throw CapabilityError("no OpenGL: libEGL.so.1 is missing (Debian: libegl1)");
     const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!hasExtension(extensions, "EGL_EXT_platform_base"))
-        throw CapabilityError("no OpenGL: this EGL cannot work without a display");
+        throw CapabilityError("no OpenGL: EGL finds no driver that works without a display "
+                              "(Debian: libegl-mesa0)");
     return extensions;
 }
 
