@@ -1,7 +1,5 @@
 #include "backend_cpu/cpu_backend.h"
 
-#include "backend_cpu/direct_visibility.h"
-#include "backend_cpu/raster_fetch.h"
 #include "core/trace/traverse.h"
 
 namespace dirt {
@@ -110,7 +108,7 @@ void CpuBackend::directVisibility(uint32_t sample) {
 
 void CpuBackend::fetch(int event) {
     if (frame_->settings.fetch == Fetch::raster)
-        rasterFetch(*frame_, grid_, executor_, paths_);
+        rasterFetch(*frame_, grid_, executor_, fetchBuffers_, paths_);
     else
         HostBackend::fetch(event);
 }

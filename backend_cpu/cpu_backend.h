@@ -3,6 +3,7 @@
 #include "backend_cpu/builder.h"
 #include "backend_cpu/direct_visibility.h"
 #include "backend_cpu/leaves.h"
+#include "backend_cpu/raster_fetch.h"
 #include "backend_cpu/tracer.h"
 #include "core/frame/host_backend.h"
 
@@ -56,6 +57,7 @@ private:
     std::optional<Spotlight> light_; ///< that rays are expected to end in
     LightGrid lightGrid_;
     EyeBuffers eyeBuffers_;
+    FetchBuffers fetchBuffers_;
     std::optional<LeafTracer> tracer_; ///< none: the leaves are not those of the grid
 };
 

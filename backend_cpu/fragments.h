@@ -25,8 +25,9 @@ struct RasterPiece {
 };
 
 /// Fragments of a frame in buckets of neighbouring tiles, each in the order of ids; so that every
-/// bucket is some thread's own, and no list needs to be sorted.
-template <class AnyFragment>
+/// bucket is some thread's own, and no list needs to be sorted. Or anything in buckets of
+/// neighbouring values of whatever member \p tile is.
+template <class AnyFragment, uint32_t AnyFragment::*tile = &AnyFragment::tile>
 class FragmentBuckets {
 public:
     /// Takes the fragments of \p pieces, which follow one another in the order of ids. Keeps its
@@ -56,10 +57,10 @@ private:
     std::vector<AnyFragment> fragments_;
 };
 
-template <class AnyFragment>
+template <class AnyFragment, uint32_t AnyFragment::*tile>
 template <class Piece>
-void FragmentBuckets<AnyFragment>::fill(const std::vector<Piece>& pieces, uint32_t tiles,
-                                        Executor& executor) {
+void FragmentBuckets<AnyFragment, tile>::fill(const std::vector<Piece>& pieces, uint32_t tiles,
+                                              Executor& executor) {
     tiles_ = tiles;
     shift_ = 0;
     while (tiles > 0 && (tiles - 1) >> shift_ >= kMaxBuckets) ++shift_;
@@ -69,7 +70,7 @@ void FragmentBuckets<AnyFragment>::fill(const std::vector<Piece>& pieces, uint32
     executor.forRange(pieces.size(), 1, [&](size_t piece, size_t) {
         std::array<size_t, kMaxBuckets> counts{};
         for (const AnyFragment& fragment : pieces[piece].fragments)
-            ++counts[fragment.tile >> shift_];
+            ++counts[fragment.*tile >> shift_];
         std::copy_n(counts.begin(), buckets, places_.begin() + piece * buckets);
     });
     starts_.resize(buckets + 1);
@@ -90,7 +91,7 @@ void FragmentBuckets<AnyFragment>::fill(const std::vector<Piece>& pieces, uint32
         std::array<size_t, kMaxBuckets> next;
         std::copy_n(places_.begin() + piece * buckets, buckets, next.begin());
         for (const AnyFragment& fragment : pieces[piece].fragments)
-            fragments_[next[fragment.tile >> shift_]++] = fragment;
+            fragments_[next[fragment.*tile >> shift_]++] = fragment;
     });
 }
 

@@ -30,28 +30,52 @@ public:
                uint32_t firstId, RasterPiece& out)
         : grid_(grid), tables_(tables), triangles_(triangles), firstId_(firstId), out_(out) {}
 
+    /// All triangles of the piece.
     void run(uint32_t count) {
-        out_.fragments.clear();
-        out_.atEye.clear();
-        findSingles(count);
-        for (uint32_t i = 0; i < restCount_; i += (uint32_t) hn::Lanes(WideTag())) findPairs(i);
-        clip(true);
-        writeSinglesBefore(count);
+        const WideIntTag di;
+        const uint32_t lanes = (uint32_t) hn::Lanes(di);
+        const WideInts last = hn::Set(di, (int32_t) count - 1);
+        run(count, [&](uint32_t i, WideInts& id) HWY_ATTR {
+            id = hn::Iota(di, (int32_t) i);
+            return i + lanes <= count ? WideVertices::from(triangles_ + i)
+                                      : WideVertices::at(triangles_, hn::Min(id, last));
+        });
+    }
+
+    /// Those of \p ids.
+    void run(std::span<const uint32_t> ids) {
+        const WideIntTag di;
+        // Any triangle will do beyond the last; each is read before its place is used again.
+        std::fill_n(std::copy(ids.begin(), ids.end(), rest_), kMaxWide, (int32_t) ids.back());
+        run((uint32_t) ids.size(), [&](uint32_t i, WideInts& id) HWY_ATTR {
+            id = hn::LoadU(di, rest_ + i);
+            return WideVertices::at(triangles_, id);
+        });
     }
 
 private:
-    void findSingles(uint32_t count) {
+    /// \p load(i, ids) gives the vertices of the i-th triangle and those after it.
+    template <class Load>
+    void run(uint32_t count, const Load& load) {
+        out_.fragments.clear();
+        out_.atEye.clear();
+        findSingles(count, load);
+        for (uint32_t i = 0; i < restCount_; i += (uint32_t) hn::Lanes(WideTag())) findPairs(i);
+        clip(true);
+        writeSinglesBefore(UINT32_MAX);
+    }
+
+    template <class Load>
+    void findSingles(uint32_t count, const Load& load) {
         const WideTag d;
         const WideIntTag di;
         const FloatTag df;
         const uint32_t lanes = (uint32_t) hn::Lanes(d);
-        const WideInts end = hn::Set(di, (int32_t) count), last = hn::Sub(end, hn::Set(di, 1));
+        const WideInts end = hn::Set(di, (int32_t) count);
         for (uint32_t i = 0; i < count; i += lanes) {
-            const WideInts id = hn::Iota(di, (int32_t) i);
-            const InOneTile single(tables_, i + lanes <= count
-                                                ? WideVertices::from(triangles_ + i)
-                                                : WideVertices::at(triangles_, hn::Min(id, last)));
-            const auto exists = hn::RebindMask(d, hn::Lt(id, end));
+            WideInts id;
+            const InOneTile single(tables_, load(i, id));
+            const auto exists = hn::RebindMask(d, hn::Lt(hn::Iota(di, (int32_t) i), end));
             const auto is = hn::And(single.is, exists), isNot = hn::AndNot(single.is, exists);
             const auto keep = [&](auto tag, auto* to, auto v, auto mask)
                                   HWY_ATTR { hn::StoreU(hn::Compress(v, mask), tag, to); };
@@ -211,6 +235,11 @@ void Rasterize(const FrameGeometry& geometry, const Grid& grid, const RasterTabl
         .run((uint32_t) (end - begin));
 }
 
+void RasterizeSome(const FrameGeometry& geometry, const Grid& grid, const RasterTables& tables,
+                   size_t first, std::span<const uint32_t> ids, RasterPiece& piece) {
+    Rasterizer(grid, tables, geometry.triangles.data() + first, (uint32_t) first, piece).run(ids);
+}
+
 } // namespace dirt::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -218,10 +247,16 @@ HWY_AFTER_NAMESPACE();
 namespace dirt {
 
 HWY_EXPORT(Rasterize);
+HWY_EXPORT(RasterizeSome);
 
 void rasterize(const FrameGeometry& geometry, const Grid& grid, const RasterTables& tables,
                size_t begin, size_t end, RasterPiece& piece) {
     HWY_DYNAMIC_DISPATCH(Rasterize)(geometry, grid, tables, begin, end, piece);
+}
+
+void rasterizeSome(const FrameGeometry& geometry, const Grid& grid, const RasterTables& tables,
+                   size_t first, std::span<const uint32_t> ids, RasterPiece& piece) {
+    HWY_DYNAMIC_DISPATCH(RasterizeSome)(geometry, grid, tables, first, ids, piece);
 }
 
 } // namespace dirt

@@ -5,6 +5,7 @@
 #include "core/grid/grid.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace dirt {
@@ -14,5 +15,9 @@ namespace dirt {
 inline constexpr size_t kTrianglesPerPiece = 1024;
 void rasterize(const FrameGeometry& geometry, const Grid& grid, const RasterTables& tables,
                size_t begin, size_t end, RasterPiece& piece);
+
+/// The same of some triangles only: \p ids, increasing and counted from triangle \p first.
+void rasterizeSome(const FrameGeometry& geometry, const Grid& grid, const RasterTables& tables,
+                   size_t first, std::span<const uint32_t> ids, RasterPiece& piece);
 
 } // namespace dirt

@@ -283,7 +283,6 @@ void expectSameFetches(const Scene& scene, RenderSettings settings, Executor& ex
 }
 
 TEST(RasterFetch, FindsEveryRecordOnceAndEqualsFetchById) {
-    ThreadPool pool(2);
     test::Random random(4);
     size_t records = 0;
     for (int i = 0; i < test::cases(150, 3000); ++i) {
@@ -298,6 +297,7 @@ TEST(RasterFetch, FindsEveryRecordOnceAndEqualsFetchById) {
         const test::ViewSet set(settings.grid, Camera{});
         Scene scene = test::sceneOf(test::smallScene(random, set));
         scene.camera.target = randomDirection(random);
+        ThreadPool pool(random.pick({1u, 2u, 7u}));
         expectSameFetches(scene, settings, pool, records);
         ASSERT_FALSE(HasFailure()) << "case " << i;
     }
@@ -308,8 +308,91 @@ TEST(RasterFetch, FindsEveryRecordOnceAndEqualsFetchById) {
         settings.grid.width = 97;
         settings.grid.height = 61;
         settings.grid.tile = tile;
+        ThreadPool pool(2);
         expectSameFetches(test::room(), settings, pool, records);
     }
+}
+
+TEST(RasterFetch, FindsEveryRecordOnEveryInstructionSet) {
+    ThreadPool pool(2);
+    test::Random random(8);
+    size_t records = 0;
+    for (int i = 0; i < test::cases(10, 300); ++i) {
+        RenderSettings settings;
+        settings.grid.width = random.range(1, 60);
+        settings.grid.height = random.range(1, 40);
+        settings.grid.tile = random.pick({1, 7, 16});
+        const Scene scene =
+            test::sceneOf(test::smallScene(random, test::ViewSet(settings.grid, Camera{})));
+        test::forEachTarget([&] { expectSameFetches(scene, settings, pool, records); });
+        ASSERT_FALSE(HasFailure()) << "case " << i;
+    }
+    EXPECT_GT(records, 10'000u);
+}
+
+TEST(RasterFetch, FindsRecordsOfMoreNeighboursThanItRasterizesAtOnce) {
+    // Of so many triangles a bucket has 2048, and all of one are seen.
+    std::vector<Triangle> triangles(300'000, Triangle{{0, 0, 1}, {1, 0, 1}, {0, 0, 1}});
+    for (int i = 0; i < 1024; ++i) {
+        const float x = (float) (i % 32 - 16), y = (float) (i / 32 - 16);
+        triangles[4096 + 2 * i] = {{x, y, -20}, {x + 1, y, -20}, {x, y + 1, -20}};
+        triangles[4097 + 2 * i] = {{x + 1, y, -20}, {x + 1, y + 1, -20}, {x, y + 1, -20}};
+    }
+    RenderSettings settings;
+    settings.grid.width = settings.grid.height = 150;
+    settings.bounces = 1;
+    ThreadPool pool(2);
+    Scene scene = test::sceneOf(triangles);
+    scene.camera.verticalFov = 80.0f;
+    size_t records = 0;
+    expectSameFetches(scene, settings, pool, records);
+    EXPECT_GT(records, 20'000u);
+}
+
+TEST(RasterFetch, LeavesRecordsListedWhereTheirTriangleIsNot) {
+    // Two triangles, apart, which are neighbours among many; records of the one moved to where the
+    // other is, or to the eye.
+    std::vector<Triangle> triangles(600, Triangle{{0, 0, 9}, {1, 0, 9}, {0, 0, 9}});
+    triangles[0] = {{-4, -2, -5}, {-2, -2, -5}, {-3, 2, -5}};
+    triangles[1] = {{4, -2, -5}, {2, -2, -5}, {3, 2, -5}};
+    RenderSettings settings;
+    settings.grid.width = 80;
+    settings.grid.height = 40;
+    settings.grid.tile = 4;
+    settings.bounces = settings.samples = 1;
+    settings.primary = Primary::traced;
+    SerialExecutor serial;
+    CpuBackend backend(serial);
+    size_t moved = 0, stayed = 0;
+    RenderHooks hooks;
+    hooks.observe = [&](uint32_t, int event) {
+        PathBuffers paths = backend.readPaths();
+        std::vector<SurfacePoint> expected = paths.next;
+        const auto other = std::find_if(paths.hits.begin(), paths.hits.end(),
+                                        [](const Hit& hit) { return hit.primitive == 0; });
+        ASSERT_NE(other, paths.hits.end());
+        for (size_t pixel = 0; pixel < paths.hits.size(); ++pixel) {
+            Hit& hit = paths.hits[pixel];
+            hit.fetches = 0;
+            if (hit.primitive != 1 || pixel % 3 == 0) continue;
+            hit.view = pixel % 3 == 1 ? other->view : 6;
+            hit.tile = pixel % 3 == 1 ? other->tile : 0;
+            expected[pixel] = {};
+        }
+        backend.writePaths(paths);
+        backend.fetch(event);
+        const PathBuffers after = backend.readPaths();
+        EXPECT_EQ(countDifferent(after.next, expected), 0u);
+        for (size_t pixel = 0; pixel < after.hits.size(); ++pixel) {
+            if (!after.hits[pixel].found()) continue;
+            const bool stays = expected[pixel].found();
+            EXPECT_EQ(after.hits[pixel].fetches, stays ? 1u : 0u);
+            ++(stays ? stayed : moved);
+        }
+    };
+    Renderer(test::sceneOf(triangles), settings, backend).render(hooks);
+    EXPECT_GT(moved, 50u);
+    EXPECT_GT(stayed, 50u);
 }
 
 TEST(RasterFetch, FindsTrianglesThatHoldTheEye) {
