@@ -26,37 +26,39 @@ auto oneNorm(const Vec& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-/// Weights of a, b and c: the edge determinants, with exact signs.
-struct EdgeWeights {
-    double a, b, c;
-    double bound; ///< of each one's absolute error
-};
-
-EdgeWeights edgeWeights(const Ray& ray, const Triangle& triangle) {
-    const glm::dvec3 o(ray.origin), d(ray.direction);
-    const glm::dvec3 a = glm::dvec3(triangle.a) - o;
-    const glm::dvec3 b = glm::dvec3(triangle.b) - o;
-    const glm::dvec3 c = glm::dvec3(triangle.c) - o;
-    const double scale = 0x1p-49 * oneNorm(d);
-    const double na = maxNorm(a), nb = maxNorm(b), nc = maxNorm(c);
-    EdgeWeights weights{glm::dot(d, glm::cross(b, c)), glm::dot(d, glm::cross(c, a)),
-                        glm::dot(d, glm::cross(a, b)),
-                        scale * std::max({nb * nc, nc * na, na * nb})};
-    const auto decide = [&](double& weight, double bound, const glm::vec3& from,
-                            const glm::vec3& to) {
-        if (std::abs(weight) <= bound)
-            weight = edgeDeterminantExact(ray.origin, ray.direction, from, to);
-    };
-    decide(weights.a, scale * nb * nc, triangle.b, triangle.c);
-    decide(weights.b, scale * nc * na, triangle.c, triangle.a);
-    decide(weights.c, scale * na * nb, triangle.a, triangle.b);
-    return weights;
+EdgePlanes::Weights exactWeights(glm::vec3 origin, glm::vec3 direction, const Triangle& t) {
+    return {edgeDeterminantExact(origin, direction, t.b, t.c),
+            edgeDeterminantExact(origin, direction, t.c, t.a),
+            edgeDeterminantExact(origin, direction, t.a, t.b), 0.0};
 }
 
-EdgeWeights exactEdgeWeights(const Ray& ray, const Triangle& t) {
-    return {edgeDeterminantExact(ray.origin, ray.direction, t.b, t.c),
-            edgeDeterminantExact(ray.origin, ray.direction, t.c, t.a),
-            edgeDeterminantExact(ray.origin, ray.direction, t.a, t.b), 0.0};
+/// Repeated vertices are common in real files, tens of thousands in one place, and would be decided
+/// by the exact determinants each time.
+bool hasRepeatedVertices(const Triangle& t) {
+    return t.a == t.b || t.b == t.c || t.c == t.a;
+}
+
+/// intersect() without the test above; \p plane() is asked for only where the line meets the
+/// triangle.
+template <class Plane>
+bool meet(glm::vec3 origin, glm::vec3 direction, const Triangle& triangle, const EdgePlanes& edges,
+          const Plane& plane, TriangleHit& out) {
+    EdgePlanes::Weights weights = edges.along(direction);
+    const bool positive = weights.a > 0.0 || weights.b > 0.0 || weights.c > 0.0;
+    const bool negative = weights.a < 0.0 || weights.b < 0.0 || weights.c < 0.0;
+    // Mixed: the line passes beside the triangle. All zero: it lies in its plane, or there is no
+    // area; otherwise their sum, d . normal, is not zero and the line meets the plane in a point.
+    if (positive == negative) return false;
+
+    if (!plane().at(direction, out.t)) return false;
+
+    // Weights of a tiny far triangle: 2^-22 of their sum has to be above their error.
+    if (std::abs(weights.a + weights.b + weights.c) < 0x1p25 * weights.bound)
+        weights = exactWeights(origin, direction, triangle);
+    const double sum = weights.a + weights.b + weights.c;
+    out.u = (float) (weights.b / sum);
+    out.v = (float) (weights.c / sum);
+    return true;
 }
 
 } // namespace
@@ -84,28 +86,44 @@ bool PlaneDistance::at(glm::vec3 direction, float& t) const {
     return true;
 }
 
+EdgePlanes::EdgePlanes(glm::vec3 origin, const Triangle& triangle)
+    : origin_(origin), triangle_(triangle) {
+    const glm::dvec3 o(origin);
+    const glm::dvec3 a = glm::dvec3(triangle.a) - o;
+    const glm::dvec3 b = glm::dvec3(triangle.b) - o;
+    const glm::dvec3 c = glm::dvec3(triangle.c) - o;
+    a_ = glm::cross(b, c), b_ = glm::cross(c, a), c_ = glm::cross(a, b);
+    normA_ = maxNorm(a), normB_ = maxNorm(b), normC_ = maxNorm(c);
+    largest_ = std::max({normB_ * normC_, normC_ * normA_, normA_ * normB_});
+}
+
+EdgePlanes::Weights EdgePlanes::along(glm::vec3 direction) const {
+    const glm::dvec3 d(direction);
+    const double scale = 0x1p-49 * oneNorm(d);
+    Weights weights{glm::dot(d, a_), glm::dot(d, b_), glm::dot(d, c_), scale * largest_};
+    const auto decide = [&](double& weight, double bound, const glm::vec3& from,
+                            const glm::vec3& to) {
+        if (std::abs(weight) <= bound) weight = edgeDeterminantExact(origin_, direction, from, to);
+    };
+    decide(weights.a, scale * normB_ * normC_, triangle_.b, triangle_.c);
+    decide(weights.b, scale * normC_ * normA_, triangle_.c, triangle_.a);
+    decide(weights.c, scale * normA_ * normB_, triangle_.a, triangle_.b);
+    return weights;
+}
+
 bool intersect(const Ray& ray, const Triangle& triangle, TriangleHit& out) {
-    // Repeated vertices are common in real files, tens of thousands in one place, and would be
-    // decided by the exact determinants each time.
-    if (triangle.a == triangle.b || triangle.b == triangle.c || triangle.c == triangle.a)
-        return false;
+    if (hasRepeatedVertices(triangle)) return false;
+    const auto plane = [&] { return PlaneDistance(ray.origin, triangle); };
+    return meet(ray.origin, ray.direction, triangle, EdgePlanes(ray.origin, triangle), plane, out);
+}
 
-    EdgeWeights weights = edgeWeights(ray, triangle);
-    const bool positive = weights.a > 0.0 || weights.b > 0.0 || weights.c > 0.0;
-    const bool negative = weights.a < 0.0 || weights.b < 0.0 || weights.c < 0.0;
-    // Mixed: the line passes beside the triangle. All zero: it lies in its plane, or there is no
-    // area; otherwise their sum, d . normal, is not zero and the line meets the plane in a point.
-    if (positive == negative) return false;
+TriangleFrom::TriangleFrom(glm::vec3 origin, const Triangle& triangle)
+    : triangle_(triangle), origin_(origin), edges_(origin, triangle), plane_(origin, triangle) {}
 
-    if (!PlaneDistance(ray.origin, triangle).at(ray.direction, out.t)) return false;
-
-    // Weights of a tiny far triangle: 2^-22 of their sum has to be above their error.
-    if (std::abs(weights.a + weights.b + weights.c) < 0x1p25 * weights.bound)
-        weights = exactEdgeWeights(ray, triangle);
-    const double sum = weights.a + weights.b + weights.c;
-    out.u = (float) (weights.b / sum);
-    out.v = (float) (weights.c / sum);
-    return true;
+bool TriangleFrom::intersect(glm::vec3 direction, TriangleHit& out) const {
+    if (hasRepeatedVertices(triangle_)) return false;
+    const auto plane = [&]() -> const PlaneDistance& { return plane_; };
+    return meet(origin_, direction, triangle_, edges_, plane, out);
 }
 
 bool sameVertices(const Triangle& a, const Triangle& b) {

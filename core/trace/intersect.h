@@ -39,6 +39,40 @@ private:
     double norms_;
 };
 
+/// The planes through an origin and a triangle's edges, for many directions.
+class EdgePlanes {
+public:
+    /// Weights of a, b and c along a direction: the edge determinants, with exact signs.
+    struct Weights {
+        double a, b, c;
+        double bound; ///< of each one's absolute error
+    };
+
+    EdgePlanes(glm::vec3 origin, const Triangle& triangle);
+    Weights along(glm::vec3 direction) const;
+
+private:
+    glm::vec3 origin_;
+    const Triangle& triangle_;
+    glm::dvec3 a_, b_, c_;         ///< normals of the planes opposite to the vertices
+    double normA_, normB_, normC_; ///< largest |component| of the vertices, from the origin
+    double largest_;               ///< product of two of these
+};
+
+/// A triangle as rays from one origin meet it: intersect()'s answers, bit for bit, for many
+/// directions. \p triangle must outlive it.
+class TriangleFrom {
+public:
+    TriangleFrom(glm::vec3 origin, const Triangle& triangle);
+    bool intersect(glm::vec3 direction, TriangleHit& out) const;
+
+private:
+    const Triangle& triangle_;
+    glm::vec3 origin_;
+    EdgePlanes edges_;
+    PlaneDistance plane_;
+};
+
 /// Whether two triangles have exactly the same three vertices, in any order (T5).
 bool sameVertices(const Triangle& a, const Triangle& b);
 

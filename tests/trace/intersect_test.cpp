@@ -70,6 +70,27 @@ TEST(Intersect, DecidesAsExactArithmetic) {
     EXPECT_GT(hits, total / 10);
 }
 
+TEST(Intersect, FromOneOriginIsTheSame) {
+    Random random(11);
+    NastyRays rays(random);
+    int hits = 0;
+    for (int i = 0; i < cases(5'000, 200'000); ++i) {
+        const RayCase c = rays.next();
+        const TriangleFrom triangle(c.ray.origin, c.triangle);
+        // The same ray again after another has been asked for.
+        for (const glm::vec3 d : {c.ray.direction, rays.direction(), c.ray.direction}) {
+            TriangleHit expected, hit;
+            const bool found = intersect({c.ray.origin, d, kNoPrimitive}, c.triangle, expected);
+            ASSERT_EQ(triangle.intersect(d, hit), found) << hex(c.ray) << hex(c.triangle);
+            if (!found) continue;
+            ++hits;
+            ASSERT_TRUE(hit.t == expected.t && hit.u == expected.u && hit.v == expected.v)
+                << hex(c.ray) << hex(c.triangle);
+        }
+    }
+    EXPECT_GT(hits, 1'000);
+}
+
 TEST(Intersect, DecidesTheSameForEveryOrderOfVertices) {
     Random random(5);
     NastyRays rays(random);
