@@ -101,9 +101,8 @@ void CpuBackend::occluded(std::span<const Ray> rays, std::span<const float> maxT
 }
 
 void CpuBackend::directVisibility(uint32_t sample) {
-    rasterizeDirectVisibility(*frame_, executor_, sample, eyeBuffers_, paths_);
+    counts_.hits += rasterizeDirectVisibility(*frame_, executor_, sample, eyeBuffers_, paths_);
     counts_.rays += paths_.pixels();
-    for (size_t i = 0; i < paths_.pixels(); ++i) counts_.hits += paths_.foundNext(i) ? 1 : 0;
 }
 
 void CpuBackend::fetch(int event) {

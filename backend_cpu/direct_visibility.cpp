@@ -6,7 +6,9 @@
 #include "core/trace/intersect.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -73,11 +75,16 @@ public:
         const auto& triangles = frame.geometry.triangles;
         std::vector<EyeBuffers::Piece>& pieces = buffers.pieces;
         pieces.resize((triangles.size() + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
+        const ImageCull cull = footprint.cull();
         executor.forRange(triangles.size(), kTrianglesPerPiece, [&](size_t begin, size_t end) {
             EyeBuffers::Piece& piece = pieces[begin / kTrianglesPerPiece];
             piece.items.clear();
             piece.fragments.clear();
-            for (size_t id = begin; id < end; ++id) {
+            uint32_t kept[kTrianglesPerPiece + kKeptPadding];
+            const size_t count =
+                keepInImage(cull, std::span(triangles).subspan(begin, end - begin), kept);
+            for (size_t i = 0; i < count; ++i) {
+                const size_t id = begin + kept[i];
                 const PixelRange range = footprint(triangles[id]);
                 if (range.x0 > range.x1 || range.y0 > range.y1) continue;
                 place(EyeTriangle(triangles[id], (uint32_t) id, range, bounds_), piece);
@@ -89,10 +96,11 @@ public:
             fragments.push_back({piece.fragments, (uint32_t) sum});
             sum += piece.items.size();
         }
-        buffers.items.clear();
-        buffers.items.reserve(sum);
-        for (const EyeBuffers::Piece& piece : pieces)
-            buffers.items.insert(buffers.items.end(), piece.items.begin(), piece.items.end());
+        buffers.items.resize(sum);
+        executor.forRange(pieces.size(), 1, [&](size_t piece, size_t) {
+            std::copy(pieces[piece].items.begin(), pieces[piece].items.end(),
+                      buffers.items.begin() + fragments[piece].firstItem);
+        });
         sortIntoTiles(fragments, (size_t) tiles(), executor, buffers.lists);
     }
 
@@ -143,42 +151,74 @@ private:
     std::vector<glm::vec3> corners_; ///< directions at the tiles' corners
 };
 
+/// The hit triangles of one tile, made ready for the rays from the eye: a triangle mostly has
+/// several pixels.
+class SeenTriangles {
+public:
+    void clear() { std::fill(std::begin(ids_), std::end(ids_), kNoPrimitive); }
+
+    /// core's `intersect` from the eye.
+    void intersect(const FrameGeometry& geometry, uint32_t id, glm::vec3 direction,
+                   TriangleHit& hit) {
+        std::optional<TriangleFrom>& triangle = triangles_[id % kCount];
+        if (ids_[id % kCount] != id) {
+            ids_[id % kCount] = id;
+            triangle.emplace(glm::vec3(0.0f), geometry.triangles[id]);
+        }
+        triangle->intersect(direction, hit);
+    }
+
+private:
+    static constexpr size_t kCount = 64;
+
+    uint32_t ids_[kCount];
+    std::optional<TriangleFrom> triangles_[kCount];
+};
+
 /// Calls visit(pixel of the image, ray, id, hit) for each pixel, with kNoPrimitive for nothing.
+/// Returns how many see something.
 template <class Visit>
-void forEachHit(const FrameContext& frame, Executor& executor, uint32_t sample, EyeBuffers& buffers,
-                const Visit& visit) {
+size_t forEachHit(const FrameContext& frame, Executor& executor, uint32_t sample,
+                  EyeBuffers& buffers, const Visit& visit) {
     const int width = frame.settings.grid.width, height = frame.settings.grid.height;
     const SampleRays rays(frame, sample);
     const TiledTriangles tiled(frame, rays, executor, buffers);
+    std::atomic<size_t> hits = 0;
     executor.forRange((size_t) tiled.tiles(), 1, [&](size_t index, size_t) {
         thread_local EyeTile tile;
+        thread_local SeenTriangles seen;
         tiled.fill(frame, rays, (int) index, tile);
+        seen.clear();
+        size_t found = 0;
         for (int y = 0; y < std::min(EyeTile::kHeight, height - tile.y0); ++y)
             for (int x = 0; x < std::min(EyeTile::kWidth, width - tile.x0); ++x) {
                 const int pixel = y * EyeTile::kWidth + x;
                 const uint32_t id = tile.id[pixel];
                 const Ray ray = tile.ray(pixel);
                 TriangleHit hit;
-                if (id != kNoPrimitive) intersect(ray, frame.geometry.triangles[id], hit);
+                if (id != kNoPrimitive) seen.intersect(frame.geometry, id, ray.direction, hit);
                 visit((size_t) (tile.y0 + y) * width + tile.x0 + x, ray, id, hit);
+                found += id != kNoPrimitive;
             }
+        hits += found;
     });
+    return hits;
 }
 
 } // namespace
 
-void rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
-                               EyeBuffers& buffers, PathBuffers& paths) {
-    forEachHit(frame, executor, sample, buffers,
-               [&](size_t pixel, const Ray& ray, uint32_t id, const TriangleHit& hit) {
-                   if (id == kNoPrimitive)
-                       paths.clearNext(pixel);
-                   else
-                       paths.setNext(pixel,
-                                     fetchSurface(frame.scene, frame.geometry, ray.direction, id,
-                                                  hit.u, hit.v),
-                                     frame.geometry);
-               });
+size_t rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
+                                 EyeBuffers& buffers, PathBuffers& paths) {
+    return forEachHit(frame, executor, sample, buffers,
+                      [&](size_t pixel, const Ray& ray, uint32_t id, const TriangleHit& hit) {
+                          if (id == kNoPrimitive)
+                              paths.clearNext(pixel);
+                          else
+                              paths.setNext(pixel,
+                                            fetchSurface(frame.scene, frame.geometry, ray.direction,
+                                                         id, hit.u, hit.v),
+                                            frame.geometry);
+                      });
 }
 
 void rasterizeHits(const FrameContext& frame, Executor& executor, uint32_t sample,

@@ -22,9 +22,9 @@ struct EyeBuffers {
 
 /// DirectVisibility: G[1] of every pixel, in \p paths, by rasterizing the triangle buffer from the
 /// eye, as seen through the sample's sub-pixel offset. The points are those of traced primary rays,
-/// bit for bit, equal depths included.
-void rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
-                               EyeBuffers& buffers, PathBuffers& paths);
+/// bit for bit, equal depths included. Returns how many there are.
+size_t rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
+                                 EyeBuffers& buffers, PathBuffers& paths);
 
 /// The hits alone, without views and tiles.
 void rasterizeHits(const FrameContext& frame, Executor& executor, uint32_t sample,

@@ -33,6 +33,7 @@ struct EyeTriangle {
     PixelRange range;
     float near; ///< bounds t from below
 
+    EyeTriangle() = default;
     EyeTriangle(const Triangle& triangle, uint32_t id, const PixelRange& range,
                 const EyeRays& rays);
     /// Whether no pixel between the four directions \p corners meets the triangle, certainly.

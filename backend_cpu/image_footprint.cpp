@@ -117,4 +117,21 @@ PixelRange ImageFootprint::operator()(const Triangle& triangle) const {
     return {first[0], last[0], first[1], last[1]};
 }
 
+ImageCull ImageFootprint::cull() const {
+    ImageCull cull{};
+    for (int row = 0; row < 3; ++row)
+        for (int k = 0; k < 3; ++k) cull.toImage[row][k] = (float) toImage_[k][row];
+    for (int axis = 0; axis < 2; ++axis) {
+        const double perSlope = 1.0 / step_[axis];
+        const double middle = -slope_[axis] * perSlope - offset_[axis];
+        cull.perSlope[axis] = (float) perSlope;
+        cull.middle[axis] = (float) middle;
+        cull.margin[axis] =
+            (float) ((margin_ * perSlope + 12 * 0x1p-24 * std::abs(middle)) * (1.0 + 0x1p-10));
+        cull.marginPerSlope[axis] = (float) (0x1p-20 * perSlope);
+        cull.last[axis] = (float) (size_[axis] - 1);
+    }
+    return cull;
+}
+
 } // namespace dirt

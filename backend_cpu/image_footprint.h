@@ -1,5 +1,6 @@
 #pragma once
 
+#include "backend_cpu/image_cull.h"
 #include "core/grid/geometry.h"
 
 #include <glm/mat3x3.hpp>
@@ -21,6 +22,9 @@ public:
 
     /// At least the pixels whose camera ray meets the closed triangle.
     PixelRange operator()(const Triangle& triangle) const;
+
+    /// For the choice of those triangles that are worth to be asked for.
+    ImageCull cull() const;
 
 private:
     glm::dmat3 toImage_;        ///< grid frame to (x, y, z): slopes are x/z, y/z

@@ -220,7 +220,10 @@ TEST(ImageFootprint, HoldsEveryPixelThatIsHit) {
             return ray.direction * depth + test::uniformPoint(random, beside * depth);
         };
         const Triangle triangle{corner(), corner(), corner()};
-        const PixelRange range = ImageFootprint(camera, width, height, mode, offset)(triangle);
+        const ImageFootprint footprint(camera, width, height, mode, offset);
+        const PixelRange range = footprint(triangle);
+        uint32_t one[1 + kKeptPadding];
+        const bool kept = keepInImage(footprint.cull(), {&triangle, 1}, one) == 1;
         pixels += (size_t) std::max(0, range.x1 - range.x0 + 1) *
                   (size_t) std::max(0, range.y1 - range.y0 + 1);
         for (int y = 0; y < height; ++y)
@@ -228,6 +231,7 @@ TEST(ImageFootprint, HoldsEveryPixelThatIsHit) {
                 TriangleHit hit;
                 if (!intersect(rayAt(x, y), triangle, hit)) continue;
                 ++hits;
+                ASSERT_TRUE(kept) << "case " << i << ", pixel " << x << ", " << y;
                 ASSERT_TRUE(x >= range.x0 && x <= range.x1 && y >= range.y0 && y <= range.y1)
                     << "case " << i << ", pixel " << x << ", " << y;
             }
@@ -251,6 +255,45 @@ TEST(ImageFootprint, IsSmallWhereVerticesLieInTheEyesPlane) {
                 pixels += (size_t) (range.x1 - range.x0 + 1) * (size_t) (range.y1 - range.y0 + 1);
         }
         EXPECT_LT(pixels, 4u * 200u * 100u);
+    }
+}
+
+TEST(ImageFootprint, KeepsWhatItHoldsOnEveryInstructionSet) {
+    // Small triangles all around, also at pixels' centres: of those without a pixel few are kept,
+    // of the others none is left out.
+    test::Random random(9);
+    for (const ViewMode mode : {ViewMode::full, ViewMode::single}) {
+        Camera camera;
+        camera.target = randomDirection(random);
+        const ImageFootprint footprint(camera, 300, 200, mode, {0.25f, 0.75f});
+        const CameraRays rays(camera, 300, 200, mode);
+        std::vector<Triangle> triangles;
+        for (int i = 0; i < 5000; ++i) {
+            const double size = std::pow(10.0, random.uniform(-6, 0));
+            const glm::vec3 d =
+                rays.through((float) random.below(300) + 0.25f, (float) random.below(200) + 0.75f)
+                    .direction;
+            const glm::vec3 center =
+                random.chance(0.5) ? test::uniformPoint(random, 1.0) : d * (float) random.uniform();
+            triangles.push_back({center + test::uniformPoint(random, size),
+                                 center + test::uniformPoint(random, size),
+                                 center + test::uniformPoint(random, size)});
+        }
+        test::forEachTarget([&] {
+            std::vector<uint32_t> kept(triangles.size() + kKeptPadding);
+            const size_t count = keepInImage(footprint.cull(), triangles, kept.data());
+            size_t next = 0, idle = 0;
+            for (uint32_t id = 0; id < triangles.size(); ++id) {
+                const PixelRange range = footprint(triangles[id]);
+                const bool empty = range.x0 > range.x1 || range.y0 > range.y1;
+                const bool isKept = next < count && kept[next] == id;
+                ASSERT_TRUE(empty || isKept) << "triangle " << id;
+                next += isKept;
+                idle += empty && isKept;
+            }
+            EXPECT_EQ(next, count);
+            EXPECT_LT(idle, count / 10);
+        });
     }
 }
 
