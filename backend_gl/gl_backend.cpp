@@ -1,5 +1,6 @@
 #include "backend_gl/gl_backend.h"
 
+#include "backend_gl/proposal_test.h"
 #include "backend_gl/self_test.h"
 #include "core/io/error.h"
 
@@ -15,6 +16,15 @@ bool enableConservativeRaster() {
     glEnable(GL_CONSERVATIVE_RASTERIZATION_NV);
     glConservativeRasterParameterfNV(GL_CONSERVATIVE_RASTER_DILATE_NV, 0.25f);
     return true;
+}
+
+/// Triangles where the driver rasterizes them conservatively and has shown that it misses no tile.
+Proposal chooseProposal(Programs& programs, bool& misses) {
+    if (!enableConservativeRaster()) return Proposal::rectangles;
+    misses = !proposesAllTiles(programs, Proposal::triangles);
+    if (!misses) return Proposal::triangles;
+    glDisable(GL_CONSERVATIVE_RASTERIZATION_NV);
+    return Proposal::rectangles;
 }
 
 /// Throws InputError, with a tile size that fits if there is one, where the driver has no textures
@@ -42,8 +52,7 @@ void checkTextures(const Grid& grid) {
 
 GlBackend::GlBackend(const GlOptions& options)
     : context_(options.device), programs_(options.shaders),
-      proposal_(options.proposal.value_or(enableConservativeRaster() ? Proposal::triangles
-                                                                     : Proposal::rectangles)),
+      proposal_(options.proposal ? *options.proposal : chooseProposal(programs_, missesTiles_)),
       arithmeticFaults_(dirt::arithmeticFaults(programs_)), triangles_(programs_),
       bounds_(programs_), ids_(programs_, options.poolNodes, options.segmentBits),
       caster_(programs_), passes_(programs_) {
@@ -55,8 +64,10 @@ GlBackend::~GlBackend() {
 }
 
 std::string GlBackend::device() const {
-    if (arithmeticFaults_.empty()) return context_.name();
-    return context_.name() + ", not IEEE in the " + arithmeticFaults_ + " stage";
+    std::string text = context_.name();
+    if (!arithmeticFaults_.empty()) text += ", not IEEE in the " + arithmeticFaults_ + " stage";
+    if (missesTiles_) text += ", whose conservative rasterization misses tiles and is not used";
+    return text;
 }
 
 void GlBackend::reloadShaders() {

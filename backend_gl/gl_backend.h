@@ -20,7 +20,8 @@ struct GlOptions {
     int device = -1;              ///< a number of listGlDevices(); -1: the first that works
     ShaderFiles shaders = {};     ///< built in, unless DIRT_SHADERS names a folder
     uint32_t poolNodes = 1 << 20; ///< of the id buffer; it grows where that is too few
-    /// Default: triangles where the driver has GL_NV_conservative_raster and _dilate.
+    /// Default: triangles where the driver has GL_NV_conservative_raster and _dilate, and they miss
+    /// no tile of a test.
     std::optional<Proposal> proposal = {};
     int segmentBits = 0; ///< nodes of one segment of the pool; 0: the driver's limit
 };
@@ -35,7 +36,8 @@ public:
     ~GlBackend() override;
 
     std::string name() const override { return "gl"; }
-    /// Renderer and version; with the stages whose arithmetic is not IEEE, if any.
+    /// Renderer and version; with what is wrong with it: the stages whose arithmetic is not IEEE,
+    /// conservative rasterization that misses tiles.
     std::string device() const override;
     bool isIeee() const override { return arithmeticFaults_.empty(); }
     /// Reads the shaders anew.
@@ -97,6 +99,7 @@ private:
     GlContext context_;
     PassTimer timer_;
     Programs programs_;
+    bool missesTiles_ = false; ///< the driver's conservative rasterization
     Proposal proposal_;
     std::string arithmeticFaults_;
     TriangleBuffer triangles_;

@@ -1,6 +1,7 @@
 // The OpenGL context, and the way from a shader's files to the compiler and back to its lines.
 
 #include "backend_gl/gl_backend.h"
+#include "backend_gl/proposal_test.h"
 #include "backend_gl/self_test.h"
 #include "core/io/error.h"
 #include "tests/support/temporary_folder.h"
@@ -70,6 +71,16 @@ TEST(GlContext, ItsSelfTestCanFail) {
     }
     Programs programs{ShaderFiles(folder.path())};
     EXPECT_EQ(arithmeticFaults(programs), "vertex, geometry, fragment, compute");
+}
+
+/// What the driver is asked before it may draw triangles for tiles; without conservative
+/// rasterization they miss some.
+TEST(GlContext, ItsProposalsAreTestedForMissingTiles) {
+    GlContext context;
+    Programs programs{ShaderFiles()};
+    EXPECT_TRUE(proposesAllTiles(programs, Proposal::rectangles));
+    EXPECT_FALSE(proposesAllTiles(programs, Proposal::triangles));
+    context.check();
 }
 
 TEST(ShaderFiles, NamesFileAndLineOfAnError) {
