@@ -16,10 +16,10 @@ struct Forecast {
     uint64_t memory = 0; ///< bytes of all buffers
 };
 
-/// Forecasts a frame from its first sample, which is run: the others are taken to be like it.
-/// (Parts of a sample are no shorter way: Fetch by rasterization costs nearly as much for a
-/// sixteenth of the paths, and not in proportion.) The build is that of a backend that has built
-/// nothing yet, if \p backend has not. It then holds the structure and the paths, as after a frame.
+/// Forecasts a frame from its first sample, which is run: the others are taken to be like it. (From
+/// a part of the paths one would have to guess how each pass grows with them.) The build is that of
+/// a backend that has built nothing yet, if \p backend has not. It then holds the structure and the
+/// paths, as after a frame.
 Forecast forecastFrame(const Scene& scene, const RenderSettings& settings, Backend& backend);
 
 } // namespace dirt
