@@ -1,13 +1,17 @@
 #!/usr/bin/env python3
 """Measures again what docs/performance.md and docs/tradeoffs.md say, and writes it into them.
 
-    docs/measure.py [--rounds N] [--only frame,scaling,tradeoff] [--error-spp N]
-                    [--reference-spp N]
+    docs/measure.py [--rounds N] [--only errors,frame,scaling,tradeoff] [--kept FOLDER]
+                    [--error-spp N] [--reference-spp N]
 
 runs `./dirt bench` on the atrium, and on Crytek Sponza and conference where $DIRT_SCENES (or
 ../shared/scenes) has them. Tables stand between <!-- measured NAME --> and <!-- end -->; plots and
-pictures go to docs/images/tradeoffs. Takes about an hour on two cores, which nothing else should
-use meanwhile.
+pictures go to docs/images/tradeoffs.
+
+`errors` takes what no other load on the machine changes, the errors of images and of rays, and
+leaves it in FOLDER (default: build/tradeoff), where a later `tradeoff` finds it: with the references
+one to two hours of two cores, which may be shared; references that are there are not traced again. The rest
+are times, for which nothing else should use the machine: about a quarter of an hour each.
 """
 
 import argparse
@@ -144,15 +148,16 @@ def measure_scaling(rounds):
 
 
 def sweep_table(reports, sweep):
-    """Build and sample of one sweep, scene beside scene."""
+    """Build, sample and memory of one sweep, scene beside scene."""
     head = [sweep]
     rows = {}
     for title, report in reports.items():
-        head += [f"{title}: build", "sample"]
+        head += [f"{title}: build", "sample", "MB"]
         for point in report["points"]:
             if point["sweep"] == sweep:
                 rows.setdefault(point["value"], [point["value"]])
-                rows[point["value"]] += [number(point["build_ms"]), number(point["sample_ms"])]
+                rows[point["value"]] += [number(point["build_ms"]), number(point["sample_ms"]),
+                                         number(point["memory"] / 1e6)]
     return table(head, rows.values())
 
 
@@ -182,7 +187,21 @@ def error_table(report):
                   f"relative MSE after {budget / 1000:.1f} s", "FLIP", "spp then"], rows)
 
 
-def choice_table(reports):
+def samples_table(reports):
+    """Time and error of the settings as given against the samples."""
+    head = ["samples"]
+    rows = {}
+    for title, report in reports.items():
+        head += [f"{title}: s", "relative MSE", "FLIP"]
+        for error in report["errors"]:
+            if error["settings"] == 0:
+                rows.setdefault(error["samples"], [error["samples"]])
+                rows[error["samples"]] += [number(error["ms"] / 1000),
+                                           number(error["relative_mse"]), number(error["flip"])]
+    return table(head, rows.values())
+
+
+def grid_table(reports):
     """The best tile and bins for each wish, by the cross sweep."""
     rows = []
     for title, report in reports.items():
@@ -191,67 +210,129 @@ def choice_table(reports):
             "one sample a frame, everything moves": lambda p: p["build_ms"] + p["sample_ms"],
             "16 samples a frame": lambda p: p["build_ms"] + 16 * p["sample_ms"],
             "the quickest build": lambda p: p["build_ms"],
+            "the least memory": lambda p: p["memory"],
         }
         for wish, cost in wishes.items():
             best = min(points, key=cost)
             rows.append([f"{title}: {wish}", best["value"], number(best["build_ms"]),
-                         number(best["sample_ms"])])
-    return table(["what counts", "tile/bins", "build, ms", "sample, ms"], rows)
+                         number(best["sample_ms"]), number(best["memory"] / 1e6)])
+    return table(["what counts", "tile/bins", "build, ms", "sample, ms", "MB"], rows)
 
 
-def misses():
-    """What the fast test loses, invents and takes for another, of each kind of ray."""
+CHOICES = ("fetch", "primary", "precision", "shading", "visibility", "view", "bounces")
+
+
+def choice_table(reports):
+    """What each choice saves or costs against the settings as given: the least and the most of the
+    scenes."""
     rows = []
-    for path, title, camera in scenes():
-        report = dirt("verify", path, *camera, "--precision", "fast", "--rays", 100000,
-                      statuses=(0, 1))  # 1: it misses some
-        for kind, counts in report["kinds"].items():
-            rows.append([f"{title}, {kind}", f"{counts['rays']:,}", f"{counts['missed']:,}",
-                         f"{counts['false_hits']:,}", f"{counts['wrong_primitive']:,}"])
+    shown = next(iter(reports.values()))["points"]
+    for place, point in enumerate(shown):
+        if point["sweep"] not in CHOICES or point["settings"] == 0:
+            continue
+        cells = {"build": [], "sample": [], "MB": [], "error": [], "flip": []}
+        for report in reports.values():
+            here = report["points"][place]
+            given = next(p for p in report["points"] if p["settings"] == 0)
+            cells["build"].append(here["build_ms"] / given["build_ms"])
+            cells["sample"].append(here["sample_ms"] / given["sample_ms"])
+            cells["MB"].append(here["memory"] / given["memory"])
+            last = {e["settings"]: e for e in report["errors"]}
+            image, reference = last[here["same_image_as"]], last[0]
+            cells["error"].append(image["relative_mse"] / reference["relative_mse"])
+            cells["flip"].append(image["flip"] - reference["flip"])
+        same = all(r["points"][place]["same_image_as"] == 0 for r in reports.values())
+        span = {key: "–".join(dict.fromkeys(f"{x:.2f}" for x in (min(v), max(v))))
+                for key, v in cells.items()}
+        rows.append([f"`--{point['sweep']} {point['value']}`", span["build"], span["sample"],
+                     span["MB"], "the same" if same else span["error"],
+                     "the same" if same else span["flip"]])
+    return table(["against the settings as given", "build ×", "sample ×", "memory ×",
+                  "relative MSE ×", "FLIP +"], rows)
+
+
+def single_pictures(titles):
+    """Full and single views side by side, and where they differ."""
+    lines = ["| | full | single | relative error of single |", "|---|---|---|---|"]
+    for title in titles:
+        cells = [f"![](images/tradeoffs/{title}-{name}.png)"
+                 for name in ("as-given", "view-single", "view-single-error")]
+        lines.append("| " + " | ".join([title, *cells]) + " |")
+    return "\n".join(lines)
+
+
+def misses_table(misses):
+    """What the fast test loses, invents and takes for another, of each kind of ray."""
+    rows = [[f"{title}, {kind}", f"{counts['rays']:,}", f"{counts['missed']:,}",
+             f"{counts['false_hits']:,}", f"{counts['wrong_primitive']:,}"]
+            for title, report in misses.items() for kind, counts in report["kinds"].items()]
     return table(["", "rays", "missed", "false hits", "wrong triangles"], rows)
 
 
-def measure_tradeoff(rounds, samples, reference):
-    """Every choice against the others, in pictures of a quarter of the default's pixels."""
-    reports = {}
+# Pictures of a quarter of the default's pixels.
+TRADEOFF = ["--size", "512x256", "--tile", 16, "--bins", 16]
+
+
+def keep_errors(kept, samples, reference):
+    """Leaves the errors of images and of rays in a folder."""
     for path, title, camera in scenes():
+        dirt("bench", "tradeoff", path, *camera, *TRADEOFF, "--rounds", 1, "--error-spp", samples,
+             "--reference-spp", reference, "--references", kept / "references", "-o", kept / title)
+        misses = dirt("verify", path, *camera, "--precision", "fast", "--rays", 100000,
+                      statuses=(0, 1))  # 1: it misses some
+        (kept / title / "misses.json").write_text(json.dumps(misses, indent=2) + "\n")
+
+
+def measure_tradeoff(rounds, kept):
+    """Every choice against the others."""
+    reports, misses = {}, {}
+    for path, title, camera in scenes():
+        known = next((kept / title).glob("*-tradeoff.json"), None)
+        if not known or not (kept / title / "misses.json").exists():
+            sys.exit(f"{kept / title} has no errors: first --only errors")
+        misses[title] = json.loads((kept / title / "misses.json").read_text())
         with tempfile.TemporaryDirectory() as folder:
-            reports[title] = dirt("bench", "tradeoff", path, *camera, "--size", "512x256",
-                                  "--tile", 16, "--bins", 16, "--rounds", rounds, "--error-spp", samples,
-                                  "--reference-spp", reference, "-o", folder)
+            reports[title] = dirt("bench", "tradeoff", path, *camera, *TRADEOFF, "--rounds", rounds,
+                                  "--errors", known, "-o", folder)
             stem = reports[title]["scene"]
             for file in pathlib.Path(folder).glob(f"{stem}-*.svg"):
                 shutil.copy(file, IMAGES / file.name.replace(stem, title, 1))
-            if title == "atrium":
-                for name in ("as-given", "view-single", "view-single-error"):
-                    shutil.copy(pathlib.Path(folder) / f"{stem}-{name}.png", IMAGES)
-    sweeps = dict.fromkeys(p["sweep"] for p in next(iter(reports.values()))["points"])
+            for name in ("as-given", "view-single", "view-single-error"):
+                shutil.copy(kept / title / f"{stem}-{name}.png", IMAGES / f"{title}-{name}.png")
+    first = next(iter(reports.values()))
+    sweeps = dict.fromkeys(p["sweep"] for p in first["points"])
     blocks = {sweep: sweep_table(reports, sweep) for sweep in sweeps}
     blocks["errors"] = "\n\n".join(f"**{title}**\n\n{error_table(report)}"
                                    for title, report in reports.items())
+    blocks["single"] = single_pictures(reports)
+    blocks["samples"] = samples_table(reports)
+    blocks["grids"] = grid_table(reports)
     blocks["choice"] = choice_table(reports)
-    blocks["misses"] = misses()
-    blocks["how"] = (f"{rounds} rounds; errors at {samples} samples a pixel, against {reference} of "
-                     f"the reference.")
+    blocks["misses"] = misses_table(misses)
+    blocks["how"] = (f"{rounds} rounds; errors at {first['errors'][-1]['samples']} samples a pixel, "
+                     f"against {first['reference_spp']:,} of the reference.")
     return blocks
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=9)
-    parser.add_argument("--only", default="frame,scaling,tradeoff")
+    parser.add_argument("--only", default="errors,frame,scaling,tradeoff")
+    parser.add_argument("--kept", type=pathlib.Path, default=ROOT / "build/tradeoff")
     parser.add_argument("--error-spp", type=int, default=64, help="samples of images with errors")
     parser.add_argument("--reference-spp", type=int, default=1024)
     options = parser.parse_args()
     IMAGES.mkdir(parents=True, exist_ok=True)
     parts = options.only.split(",")
+    kept = options.kept.resolve()
+    if "errors" in parts:
+        keep_errors(kept, options.error_spp, options.reference_spp)
     if "frame" in parts:
         fill("performance.md", {"machine": machine()} | measure_frame(options.rounds))
     if "scaling" in parts:
         fill("performance.md", {"scaling machine": machine()} | measure_scaling(options.rounds))
     if "tradeoff" in parts:
-        fill("tradeoffs.md", {"machine": machine()} | measure_tradeoff(
-            options.rounds, options.error_spp, options.reference_spp))
+        fill("tradeoffs.md", {"machine": machine()} | measure_tradeoff(options.rounds, kept))
 
 
 if __name__ == "__main__":
