@@ -82,7 +82,7 @@ Sweeps makeSweeps(const RenderSettings& around) {
     builder.add("full", [](RenderSettings& s) { s.grid.mode = ViewMode::full; });
     builder.add("single", [](RenderSettings& s) { s.grid.mode = ViewMode::single; });
     builder.begin("bounces");
-    for (const int bounces : {1, 2, 3, 4, 6, 8})
+    for (const int bounces : {1, 2, 3, 4, 6})
         number(bounces, [](RenderSettings& s, int n) { s.bounces = n; });
     return std::move(builder.result);
 }
