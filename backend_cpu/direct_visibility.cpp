@@ -1,6 +1,7 @@
 #include "backend_cpu/direct_visibility.h"
 
 #include "backend_cpu/eye_tile.h"
+#include "backend_cpu/prefetch_texels.h"
 #include "core/grid/denormals.h"
 #include "core/path/surface.h"
 #include "core/trace/intersect.h"
@@ -175,11 +176,11 @@ private:
     std::optional<TriangleFrom> triangles_[kCount];
 };
 
-/// Calls visit(pixel of the image, ray, id, hit) for each pixel, with kNoPrimitive for nothing.
-/// Returns how many see something.
-template <class Visit>
+/// Calls visit(pixel of the image, ray, id, hit) for each pixel, with kNoPrimitive for nothing;
+/// some pixels earlier expect(id, hit), where there is one. Returns how many see something.
+template <class Expect, class Visit>
 size_t forEachHit(const FrameContext& frame, Executor& executor, uint32_t sample,
-                  EyeBuffers& buffers, const Visit& visit) {
+                  EyeBuffers& buffers, const Expect& expect, const Visit& visit) {
     const int width = frame.settings.grid.width, height = frame.settings.grid.height;
     const SampleRays rays(frame, sample);
     const TiledTriangles tiled(frame, rays, executor, buffers);
@@ -190,16 +191,20 @@ size_t forEachHit(const FrameContext& frame, Executor& executor, uint32_t sample
         tiled.fill(frame, rays, (int) index, tile);
         seen.clear();
         size_t found = 0;
-        for (int y = 0; y < std::min(EyeTile::kHeight, height - tile.y0); ++y)
-            for (int x = 0; x < std::min(EyeTile::kWidth, width - tile.x0); ++x) {
-                const int pixel = y * EyeTile::kWidth + x;
-                const uint32_t id = tile.id[pixel];
-                const Ray ray = tile.ray(pixel);
-                TriangleHit hit;
-                if (id != kNoPrimitive) seen.intersect(frame.geometry, id, ray.direction, hit);
-                visit((size_t) (tile.y0 + y) * width + tile.x0 + x, ray, id, hit);
-                found += id != kNoPrimitive;
+        const int columns = std::min(EyeTile::kWidth, width - tile.x0);
+        for (int y = 0; y < std::min(EyeTile::kHeight, height - tile.y0); ++y) {
+            TriangleHit row[EyeTile::kWidth];
+            const uint32_t* const ids = tile.id + y * EyeTile::kWidth;
+            const auto rayAt = [&](int x) { return tile.ray(y * EyeTile::kWidth + x); };
+            for (int x = 0; x < columns; ++x) {
+                if (ids[x] == kNoPrimitive) continue;
+                ++found;
+                seen.intersect(frame.geometry, ids[x], rayAt(x).direction, row[x]);
+                expect(ids[x], row[x]);
             }
+            const size_t first = (size_t) (tile.y0 + y) * width + tile.x0;
+            for (int x = 0; x < columns; ++x) visit(first + x, rayAt(x), ids[x], row[x]);
+        }
         hits += found;
     });
     return hits;
@@ -209,7 +214,10 @@ size_t forEachHit(const FrameContext& frame, Executor& executor, uint32_t sample
 
 size_t rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, uint32_t sample,
                                  EyeBuffers& buffers, PathBuffers& paths) {
-    return forEachHit(frame, executor, sample, buffers,
+    const auto expect = [&](uint32_t id, const TriangleHit& hit) {
+        prefetchTexels(frame.scene, id, hit.u, hit.v);
+    };
+    return forEachHit(frame, executor, sample, buffers, expect,
                       [&](size_t pixel, const Ray& ray, uint32_t id, const TriangleHit& hit) {
                           if (id == kNoPrimitive)
                               paths.clearNext(pixel);
@@ -223,7 +231,8 @@ size_t rasterizeDirectVisibility(const FrameContext& frame, Executor& executor, 
 
 void rasterizeHits(const FrameContext& frame, Executor& executor, uint32_t sample,
                    EyeBuffers& buffers, std::span<Hit> hits) {
-    forEachHit(frame, executor, sample, buffers,
+    const auto expect = [](uint32_t, const TriangleHit&) {};
+    forEachHit(frame, executor, sample, buffers, expect,
                [&](size_t pixel, const Ray&, uint32_t id, const TriangleHit& hit) {
                    hits[pixel] = {};
                    if (id != kNoPrimitive) hits[pixel] = {id, hit.t, hit.u, hit.v, 0, 0};

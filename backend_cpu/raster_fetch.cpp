@@ -1,5 +1,6 @@
 #include "backend_cpu/raster_fetch.h"
 
+#include "backend_cpu/prefetch_texels.h"
 #include "backend_cpu/rasterizer.h"
 #include "core/path/surface.h"
 
@@ -14,7 +15,8 @@ namespace {
 
 constexpr size_t kPixelsPerPiece = 4096;
 constexpr size_t kPointsPerPiece = 1024;
-constexpr size_t kPointsAhead = 16; ///< whose buffers are asked for before they are needed
+/// How many points ahead their buffers are asked for, and then their texels.
+constexpr size_t kBuffersAhead = 32, kTexelsAhead = 8;
 
 /// Owner of no record.
 constexpr uint32_t kNoPixel = 0xffffffffu;
@@ -138,7 +140,7 @@ void findRecords(const FrameContext& frame, const Grid& grid, const FetchBuffers
     }
 }
 
-void askFor(const PathBuffers& paths, uint32_t pixel) {
+void askForBuffers(const PathBuffers& paths, uint32_t pixel) {
     hwy::Prefetch(&paths.hits[pixel]);
     hwy::Prefetch(&paths.rays[pixel].direction);
     if (paths.next.empty()) return;
@@ -165,8 +167,12 @@ void rasterFetch(const FrameContext& frame, const Grid& grid, Executor& executor
     // buffers' places are known early enough to ask for them.
     executor.forRange(pixels.size(), kPointsPerPiece, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-            if (i + kPointsAhead < end && pixels[i + kPointsAhead] != kNoPixel)
-                askFor(paths, pixels[i + kPointsAhead]);
+            if (i + kBuffersAhead < end && pixels[i + kBuffersAhead] != kNoPixel)
+                askForBuffers(paths, pixels[i + kBuffersAhead]);
+            if (i + kTexelsAhead < end && pixels[i + kTexelsAhead] != kNoPixel) {
+                const Hit& ahead = paths.hits[pixels[i + kTexelsAhead]];
+                prefetchTexels(frame.scene, ahead.primitive, ahead.u, ahead.v);
+            }
             const uint32_t pixel = pixels[i];
             if (pixel == kNoPixel) continue;
             Hit& hit = paths.hits[pixel];
