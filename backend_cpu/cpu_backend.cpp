@@ -23,7 +23,7 @@ void CpuBackend::expectLight(const Spotlight* light) {
 
 void CpuBackend::clear(const Camera& camera, const GridSettings& settings) {
     tracer_.reset();
-    lightGrid_.tiles = 0; // the memory is used again
+    lightGrid_.tree.tiles = 0; // the memory is used again
     // The large buffers are used again.
     Grid empty = makeEmptyGrid(camera, settings);
     empty.heads = std::move(grid_.heads);

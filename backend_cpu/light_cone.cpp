@@ -34,13 +34,13 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// Columns (or rows) of tiles that hold the slopes.
-void setRange(Slopes slopes, int tiles, int& first, int& count) {
-    const auto tileOf = [&](double slope) {
-        return std::clamp((int) std::floor((slope + 1.0) * 0.5 * tiles), 0, tiles - 1);
+/// Columns (or rows) of roots that hold the slopes.
+void setRange(Slopes slopes, int roots, int& first, int& count) {
+    const auto rootOf = [&](double slope) {
+        return std::clamp((int) std::floor((slope + 1.0) * 0.5 * roots), 0, roots - 1);
     };
-    first = tileOf(slopes.low);
-    count = tileOf(slopes.high) - first + 1;
+    first = rootOf(slopes.low);
+    count = rootOf(slopes.high) - first + 1;
 }
 
 } // namespace
@@ -63,7 +63,7 @@ double LightCone::part() const {
     return sine * sine;
 }
 
-uint32_t setFaces(const LightCone& cone, int tiles, std::array<LightFace, 6>& faces) {
+uint32_t setFaces(const LightCone& cone, int roots, std::array<LightFace, 6>& faces) {
     uint32_t sum = 0;
     for (int i = 0; i < 6; ++i) {
         LightFace& face = faces[i];
@@ -72,7 +72,7 @@ uint32_t setFaces(const LightCone& cone, int tiles, std::array<LightFace, 6>& fa
         face.axisX = (face.axisW + 1) % 3;
         face.axisY = (face.axisW + 2) % 3;
         face.signW = i % 2 == 0 ? 1.0f : -1.0f;
-        face.firstTile = sum;
+        face.firstNode = sum;
         const glm::dvec3 axis(cone.axis[face.axisX], cone.axis[face.axisY],
                               face.signW * cone.axis[face.axisW]);
 
@@ -94,8 +94,8 @@ uint32_t setFaces(const LightCone& cone, int tiles, std::array<LightFace, 6>& fa
         x = {std::max(x.low, allX.low), std::min(x.high, allX.high)};
         y = {std::max(y.low, allY.low), std::min(y.high, allY.high)};
         if (x.low > x.high || y.low > y.high) continue;
-        setRange(x, tiles, face.column, face.columns);
-        setRange(y, tiles, face.row, face.rows);
+        setRange(x, roots, face.column, face.columns);
+        setRange(y, roots, face.row, face.rows);
         sum += (uint32_t) face.columns * (uint32_t) face.rows;
     }
     return sum;

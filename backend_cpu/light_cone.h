@@ -1,6 +1,7 @@
 #pragma once
 
-#include "backend_cpu/light_grid.h"
+#include "backend_cpu/light_tree.h"
+#include "core/scene/light.h"
 
 namespace dirt {
 
@@ -14,8 +15,8 @@ struct LightCone {
     double part() const;
 };
 
-/// The faces of \p tiles by \p tiles around the light: of each the rectangle of tiles that holds
-/// the cone's part. Returns the number of tiles in all.
-uint32_t setFaces(const LightCone& cone, int tiles, std::array<LightFace, 6>& faces);
+/// The faces of \p roots by \p roots around the light: of each the rectangle of roots that holds
+/// the cone's part. Returns the number of roots in all.
+uint32_t setFaces(const LightCone& cone, int roots, std::array<LightFace, 6>& faces);
 
 } // namespace dirt

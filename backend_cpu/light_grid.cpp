@@ -11,29 +11,16 @@ namespace {
 
 constexpr size_t kTrianglesPerPiece = 1024;
 
-/// Tiles in the light's cone for each triangle of the scene: fewer make lists long, more cost time
-/// to fill.
-constexpr double kTilesPerTriangle = 1.0 / 32.0;
-constexpr int kLeastTiles = 16, kMostTiles = 4096;
-
 /// More triangles than this beside the light, which every ray tests, are no gain.
 constexpr size_t kMostClose = 16;
 
-// Where a ray is looked up. u = 2^-24, n tiles along a face, of width 2/n; a unit is a 128th of a
-// tile. p = o - L is the ray's origin seen from the light, |p| <= P, norms are the largest
-// component's.
-//
-// The direction d is L - o rounded, so at t the ray is at (1 - t) p + t e from the light, with
-// |e_i| <= u |p_i|. Where it is at w >= r there, its slopes differ from those of p by less than
-// 2 u P / r (1 + 2^-10), which for r = 160 u n P is 1/160 of a tile, 0.8 units. The place of p is
-// found in float: p's components, their quotient, the sum with 1 and the product are off by 4 u n
-// of a tile, 1/8 of a unit for n <= 4096. What rasterFromLight adds is below 1/2. Together that is
-// less than the guard of 1.5. Triangles that come nearer than r to the light are `close`, and
-// tested by all rays.
-constexpr double kNearest = 160.0 * 0x1p-24;
+/// Triangles that come nearer to the light than this part of `reach` are `close`, and tested by all
+/// rays: where they may be met is too far from where a ray is looked up (kLightRim).
+constexpr float kNearest = 0x1p-11f;
 
 /// Each bucket of tiles is some thread's: their heads, and their lists.
-void fillLists(uint32_t tiles, Executor& executor, LightGrid& grid) {
+void fillLists(Executor& executor, LightGrid& grid) {
+    const uint32_t tiles = grid.tree.tiles;
     grid.buckets.fill(grid.pieces, tiles, executor);
     const size_t entries = grid.buckets.before(grid.buckets.count());
     grid.heads.resize(tiles + 1);
@@ -64,7 +51,7 @@ void fillLists(uint32_t tiles, Executor& executor, LightGrid& grid) {
 } // namespace
 
 uint64_t LightGrid::bytes() const {
-    return heads.size() * sizeof(uint32_t) + near.size() * sizeof(float) +
+    return (tree.nodes.size() + heads.size()) * sizeof(uint32_t) + near.size() * sizeof(float) +
            (box.size() + id.size()) * sizeof(uint32_t) + records.size() * sizeof(LightRecord);
 }
 
@@ -77,7 +64,7 @@ uint64_t LightGrid::pieceBytes() const {
 
 void fillLightGrid(const FrameGeometry& geometry, const Spotlight& light, Executor& executor,
                    LightGrid& grid) {
-    grid.tiles = 0;
+    grid.tree.tiles = 0;
     const size_t count = geometry.triangles.size();
     grid.position = geometry.frame.toGrid(light.position);
     // Origins lie within the scene, whose coordinates are below 2, or a rounding beside it.
@@ -85,10 +72,8 @@ void fillLightGrid(const FrameGeometry& geometry, const Spotlight& light, Execut
                                   std::abs(grid.position.z)});
     if (!(grid.reach < 0x1p20f)) return;
     const LightCone cone(light, geometry.frame);
-    const double wanted = std::sqrt(kTilesPerTriangle * (double) count / (6.0 * cone.part()));
-    grid.tiles = (int) std::clamp(wanted, (double) kLeastTiles, (double) kMostTiles);
-    grid.nearest = (float) (kNearest * grid.tiles * grid.reach);
-    const uint32_t tiles = setFaces(cone, grid.tiles, grid.faces);
+    grid.nearest = kNearest * grid.reach;
+    makeLightTree(geometry, grid.position, cone, executor, grid.tree);
 
     grid.records.resize(count);
     grid.pieces.resize((count + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
@@ -99,9 +84,9 @@ void fillLightGrid(const FrameGeometry& geometry, const Spotlight& light, Execut
     for (const LightPiece& piece : grid.pieces)
         grid.close.insert(grid.close.end(), piece.close.begin(), piece.close.end());
     if (grid.close.size() > kMostClose)
-        grid.tiles = 0;
+        grid.tree.tiles = 0;
     else
-        fillLists(tiles, executor, grid);
+        fillLists(executor, grid);
 }
 
 } // namespace dirt

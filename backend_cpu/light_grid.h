@@ -1,11 +1,11 @@
 #pragma once
 
 #include "backend_cpu/fragments.h"
+#include "backend_cpu/light_tree.h"
 #include "core/frame/executor.h"
 #include "core/grid/geometry.h"
 #include "core/scene/light.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -23,15 +23,6 @@ struct alignas(64) LightRecord {
     uint32_t unused[2] = {};
 };
 static_assert(sizeof(LightRecord) == 64);
-
-/// A face of the cube around the light, and the tiles on it that the light's cone may reach.
-struct LightFace {
-    int axisX, axisY, axisW; ///< components of the grid frame
-    float signW;
-    int column = 0, row = 0; ///< the first
-    int columns = 0, rows = 0;
-    uint32_t firstTile = 0; ///< in the numbering over all faces
-};
 
 /// A triangle's part in one tile, none of it nearer to the light than `near`. Where it lies in the
 /// tile, in 128ths: bytes of the least column, 127 less the greatest, and the same of rows.
@@ -55,10 +46,9 @@ struct LightGrid {
     static constexpr size_t kPadding = 16;
 
     glm::vec3 position{0.0f};
-    int tiles = 0;        ///< along a face; 0: there is no light grid
+    LightTree tree;       ///< without tiles there is no light grid
     float reach = 0.0f;   ///< largest |p| of a ray's origin that the bounds hold for,
     float nearest = 0.0f; ///< and least: nothing listed is nearer to the light
-    std::array<LightFace, 6> faces;
 
     std::vector<uint32_t> heads; ///< of the tiles' lists, and the end; the lists' entries are
     std::vector<float> near;     ///< those of LightFragment, in the order of ids
@@ -70,7 +60,7 @@ struct LightGrid {
     std::vector<LightPiece> pieces;
     FragmentBuckets<LightFragment> buckets;
 
-    bool empty() const { return tiles == 0; }
+    bool empty() const { return tree.tiles == 0; }
     uint64_t bytes() const;      ///< of what rays read
     uint64_t pieceBytes() const; ///< of the rest
 };

@@ -43,7 +43,7 @@ namespace dirt::HWY_NAMESPACE {
 
 void ScanFromLight(const FrameGeometry& geometry, LightGrid& grid, size_t begin, size_t end,
                    LightPiece& piece) {
-    const LightFaces faces(grid);
+    const LightFaces faces(grid.tree);
     const uint32_t lanes = (uint32_t) hn::Lanes(LightTag());
     for (size_t first = begin; first < end; first += lanes) {
         const uint32_t count = (uint32_t) std::min<size_t>(lanes, end - first);
@@ -55,29 +55,23 @@ void ScanFromLight(const FrameGeometry& geometry, LightGrid& grid, size_t begin,
              rest &= rest - 1) {
             const uint32_t lane = (uint32_t) hwy::Num0BitsBelowLS1Bit_Nonzero32(rest);
             const uint32_t id = (uint32_t) first + lane;
+            const Triangle& triangle = geometry.triangles[id];
             const size_t before = piece.fragments.size();
-            const auto emit = [&](uint32_t tile, float near, uint32_t box) {
+            auto emit = [&](uint32_t tile, float near, uint32_t box) {
                 piece.fragments.push_back({tile, id, near, box});
             };
             if ((ranges.simple >> lane & 1) != 0) {
-                const LightFace& face = grid.faces[(size_t) ranges.face[lane]];
-                const UnitBox box{ranges.x0[lane], ranges.x1[lane], ranges.y0[lane],
-                                  ranges.y1[lane]};
-                const LightRange range(box, face);
-                if (range.small())
-                    emitSmall(range, face, box, ranges.near[lane], emit);
-                else
-                    rasterFromLight(LightTriangle(geometry.triangles[id], grid.position), face,
-                                    grid.tiles, 0.5 * grid.nearest, emit);
+                LightLister lister(grid, grid.tree.faces[(size_t) ranges.face[lane]], triangle,
+                                   ranges.guard[lane], ranges.least[lane], emit);
+                lister.list({ranges.x0[lane], ranges.x1[lane], ranges.y0[lane], ranges.y1[lane]});
             } else {
-                const LightTriangle triangle(geometry.triangles[id], grid.position);
-                if (mayBeWithin(triangle, grid.nearest)) {
+                if (mayBeWithin(LightTriangle(triangle, grid.position), grid.nearest)) {
                     piece.close.push_back(id);
                     continue;
                 }
-                for (const LightFace& face : grid.faces)
+                for (const LightFace& face : grid.tree.faces)
                     if (face.columns > 0)
-                        rasterFromLight(triangle, face, grid.tiles, 0.5 * grid.nearest, emit);
+                        rasterFromLight(grid, triangle, face, 0.5 * grid.nearest, emit);
             }
             if (piece.fragments.size() > before) listed |= 1u << lane;
         }
@@ -107,6 +101,53 @@ LightTriangle::LightTriangle(const Triangle& t, const glm::vec3& light) {
     length = std::max(largest(ab), largest(ac));
     size = std::max({largest(v[0]), largest(v[1]), largest(v[2])});
     edgeOn = !(std::abs(determinant) > (0x1p-46 * length * length + 0x1p-49 * sum(normal)) * size);
+}
+
+LightPlanes::LightPlanes(const LightTriangle& triangle, const LightFace& face, double guard)
+    : guard_(guard), guardSlope_(guard / kPlacesPerSlope) {
+    // An edge's plane n . (s, t, 1) >= 0, taken at the border of the widened rows where it is
+    // largest, leaves a bound of s, off by less than 2^-48 size^2 / |n_x|: edges are heeded where
+    // that is less than half a place. Edge-on triangles have no inner side.
+    const double orientation = triangle.determinant < 0.0 ? -1.0 : 1.0;
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 n = orientation * triangle.edges[i];
+        const double nx = n[face.axisX];
+        const bool clear =
+            !triangle.edgeOn && std::abs(nx) > 0x1p-24 * triangle.size * triangle.size;
+        edges_[i] = {n[face.axisY], face.signW * n[face.axisW], clear ? -1.0 / nx : 0.0,
+                     clear ? nx > 0.0 ? 1 : -1 : 0};
+    }
+    // 1/w is affine in the slopes: (normal . (s, t, 1)) / determinant, largest in a square's
+    // corner. Both are taken where their errors are below 2^-24 of them.
+    const glm::dvec3 n = orientation * triangle.normal;
+    inverseDepth_ = {n[face.axisX], n[face.axisY], face.signW * n[face.axisW]};
+    depth_ = std::abs(triangle.determinant);
+    const double area = 0x1p-22 * triangle.length * triangle.length;
+    unclear_ = depth_ > area * triangle.size ? area : HUGE_VAL;
+}
+
+void LightPlanes::clip(int y, int size, PlaceBox& box) const {
+    const double t0 = y / kPlacesPerSlope - 1.0 - guardSlope_;
+    const double t1 = (y + size) / kPlacesPerSlope - 1.0 + guardSlope_;
+    double from = -HUGE_VAL, to = HUGE_VAL;
+    for (const Edge& edge : edges_) {
+        const double bound = (std::max(edge.t * t0, edge.t * t1) + edge.constant) * edge.slope;
+        if (edge.side > 0) from = std::max(from, bound);
+        if (edge.side < 0) to = std::min(to, bound);
+    }
+    box.x0 = std::max(box.x0, placeBelow(from, guard_));
+    box.x1 = std::min(box.x1, placeAbove(to, guard_));
+}
+
+double LightPlanes::near(int x, int y, int size) const {
+    const auto largest = [&](double slope, int place) {
+        const double low = place / kPlacesPerSlope - 1.0 - guardSlope_;
+        const double high = (place + size) / kPlacesPerSlope - 1.0 + guardSlope_;
+        return std::max(slope * low, slope * high);
+    };
+    const double inverse =
+        largest(inverseDepth_.x, x) + largest(inverseDepth_.y, y) + inverseDepth_.z;
+    return inverse > unclear_ ? depth_ / inverse : 0.0;
 }
 
 void scanFromLight(const FrameGeometry& geometry, LightGrid& grid, size_t begin, size_t end,

@@ -4,19 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace dirt {
 
-// Where things lie in a face is said in units: 128ths of a tile, counted from the rim.
-inline constexpr int kUnitShift = 7;
-inline constexpr int kUnits = 1 << kUnitShift;
+// Where a ray is looked up. u = 2^-24; p = o - L is the ray's origin seen from the light, |p| <= P,
+// norms are the largest component's; a place is 2^-23 of slope.
+//
+// The direction d is L - o rounded, so at t the ray is at (1 - t) p + t e from the light, with
+// |e_i| <= u |p_i|. Where it is at w there, its slopes differ from those of p by less than
+// 2 u P / w, which is P / w places. The place of p is found in float: p's components, one over the
+// largest, their product and the sum with 1 are off by 3 places. An edge of a rasterized triangle
+// is off by half a place at most. So what a ray meets at a depth of `near` or more lies within the
+// guard of where the ray is looked up; the factor covers roundings of these numbers.
 
-/// Tiles list what comes within so many units of them, and boxes are wider by as much. A ray may be
-/// 0.93 away from where it is looked up (light_grid.cpp), edges are off by less than a half.
-inline constexpr double kLightGuard = 1.5;
+/// How many places beside a triangle's part no nearer than \p near a ray may be looked up that
+/// meets it.
+inline double lightGuard(double reach, double near) {
+    return reach * (1.0 + 0x1p-8) / near + 4.0;
+}
 
-/// Ranges of no more tiles are listed whole, without a look at edges.
-inline constexpr int kSmallLightRange = 4;
+/// Nothing listed is nearer than 2^-11 of the reach (light_grid.cpp), so all that rays meet is
+/// within 2^11 (1 + 2^-8) + 4 places, some 2^-12 of slope, of where they are looked up. Triangles
+/// that stay nearly twice as far within a face are in no other's lists.
+inline constexpr double kLightRim = 0x1p-11;
+
+/// Ranges of no more nodes are listed whole, without a look at edges.
+inline constexpr int kSmallLightRange = 2;
 
 /// Depths rounded to float stay below what they bound.
 inline constexpr double kBelow = 1.0 - 0x1p-20;
@@ -38,59 +52,157 @@ struct LightTriangle {
     LightTriangle(const Triangle& triangle, const glm::vec3& light);
 };
 
-/// A box in a face, in units, both ends included.
-struct UnitBox {
+/// Places far beyond the rim are all one.
+inline int placeAt(double place) {
+    constexpr double kFar = 1 << (kPlaceBits + 2);
+    return (int) std::floor(std::clamp(place, -kFar, kFar));
+}
+inline int placeBelow(double slope, double guard) {
+    return placeAt((slope + 1.0) * kPlacesPerSlope - guard);
+}
+inline int placeAbove(double slope, double guard) {
+    return placeAt((slope + 1.0) * kPlacesPerSlope + guard);
+}
+
+/// A box in a face, in places, both ends included.
+struct PlaceBox {
     int x0, x1, y0, y1;
 
-    /// Its part in a tile, as in LightFragment.
-    uint32_t in(int column, int row) const {
-        const auto byte = [](int unit) { return (uint32_t) std::clamp(unit, 0, kUnits - 1); };
-        const int x = column << kUnitShift, y = row << kUnitShift;
-        return byte(x0 - x) | (kUnits - 1 - byte(x1 - x)) << 8 | byte(y0 - y) << 16 |
-               (kUnits - 1 - byte(y1 - y)) << 24;
+    /// Its part in the tile of 2^shift places from \p x, \p y on, as in LightFragment.
+    uint32_t in(int x, int y, int shift) const {
+        const auto byte = [&](int place) {
+            return (uint32_t) (std::clamp(place, 0, (1 << shift) - 1) >> (shift - kUnitBits));
+        };
+        constexpr uint32_t last = (1u << kUnitBits) - 1;
+        return byte(x0 - x) | (last - byte(x1 - x)) << 8 | byte(y0 - y) << 16 |
+               (last - byte(y1 - y)) << 24;
     }
 };
 
-/// The tiles of a face that a box meets.
-struct LightRange {
-    int column0, column1, row0, row1;
+/// What cuts a large triangle's box, and its depth, to those of parts of the face.
+class LightPlanes {
+public:
+    LightPlanes(const LightTriangle& triangle, const LightFace& face, double guard);
 
-    LightRange(const UnitBox& box, const LightFace& face)
-        : column0(std::max(box.x0 >> kUnitShift, face.column)),
-          column1(std::min(box.x1 >> kUnitShift, face.column + face.columns - 1)),
-          row0(std::max(box.y0 >> kUnitShift, face.row)),
-          row1(std::min(box.y1 >> kUnitShift, face.row + face.rows - 1)) {}
+    /// Leaves of \p box what rows [y, y + size) of places may meet.
+    void clip(int y, int size, PlaceBox& box) const;
+    /// No point of the triangle within the guard of the square is nearer; or zero.
+    double near(int x, int y, int size) const;
 
-    bool empty() const { return column0 > column1 || row0 > row1; }
-    bool small() const { return (column1 - column0 + 1) * (row1 - row0 + 1) <= kSmallLightRange; }
+private:
+    struct Edge {
+        double t, constant, slope; ///< n_y, n_w, and -1/n_x
+        int side;                  ///< s is bounded from below (1), above (-1), or not (0)
+    } edges_[3];
+    glm::dvec3 inverseDepth_; ///< times depth_: its change with s, with t, and its value at 0
+    double depth_, unclear_;
+    double guard_, guardSlope_;
 };
 
-inline uint32_t lightTile(const LightFace& face, int column, int row) {
-    return face.firstTile + (uint32_t) (row - face.row) * (uint32_t) face.columns +
-           (uint32_t) (column - face.column);
-}
-
-/// Calls emit(tile, near, box) for all tiles of a small range.
+/// Lists one triangle in the tiles of a face.
 template <class Emit>
-void emitSmall(const LightRange& range, const LightFace& face, const UnitBox& box, float near,
-               Emit&& emit) {
-    for (int row = range.row0; row <= range.row1; ++row)
-        for (int column = range.column0; column <= range.column1; ++column)
-            emit(lightTile(face, column, row), near, box.in(column, row));
-}
+class LightLister {
+public:
+    /// Calls emit(tile, near, box) for all tiles of \p face that \p box meets, but those that the
+    /// triangle's edges exclude. The triangle's part is nowhere nearer than \p least.
+    LightLister(const LightGrid& grid, const LightFace& face, const Triangle& triangle,
+                double guard, double least, Emit& emit)
+        : grid_(grid), face_(face), triangle_(triangle), guard_(guard), least_(least), emit_(emit) {
+    }
 
-/// Calls emit(tile, near, box) for at least all tiles of \p face that come within kLightGuard of a
-/// part of the triangle with w >= \p clip. No point of that part in the widened tile is nearer than
-/// `near`, or more than the guard outside the box. A superset of what core's `overlaps` says of the
-/// view from the light, which has a narrower guard band.
+    void list(const PlaceBox& box) {
+        int shift = grid_.tree.rootShift;
+        // Most lie in one tile.
+        const int column = (box.x0 >> shift) - face_.column, row = (box.y0 >> shift) - face_.row;
+        int differ = (box.x0 ^ box.x1) | (box.y0 ^ box.y1);
+        if (differ >> shift == 0) {
+            if ((uint32_t) column >= (uint32_t) face_.columns ||
+                (uint32_t) row >= (uint32_t) face_.rows)
+                return;
+            uint32_t node =
+                grid_.tree.nodes[face_.firstNode + (uint32_t) (row * face_.columns + column)];
+            while ((node & LightTree::kInner) != 0) {
+                constexpr int split = 1 << LightTree::kSplitBits;
+                const int x = box.x0 >> shift << shift, y = box.y0 >> shift << shift;
+                shift -= LightTree::kSplitBits;
+                const uint32_t first = node & ~LightTree::kInner;
+                if (differ >> shift != 0) return listIn({first, x, y, split, split, shift}, box);
+                node = grid_.tree.nodes[first + (uint32_t) (box.y0 >> shift & 3) * split +
+                                        (uint32_t) (box.x0 >> shift & 3)];
+            }
+            const int x = box.x0 >> shift << shift, y = box.y0 >> shift << shift;
+            return emit_(node, (float) (least_ * kBelow), box.in(x, y, shift));
+        }
+        listIn({face_.firstNode, face_.column << shift, face_.row << shift, face_.columns,
+                face_.rows, shift},
+               box);
+    }
+
+private:
+    /// Equal squares that stand row by row in the tree.
+    struct Squares {
+        uint32_t first;
+        int x, y; ///< place of the first
+        int columns, rows;
+        int shift; ///< a square is 2^shift places wide
+    };
+
+    void listIn(const Squares& squares, PlaceBox box) {
+        const int shift = squares.shift;
+        const int row0 = std::max((box.y0 - squares.y) >> shift, 0);
+        const int row1 = std::min((box.y1 - squares.y) >> shift, squares.rows - 1);
+        const auto firstColumn = [&] { return std::max((box.x0 - squares.x) >> shift, 0); };
+        const auto lastColumn = [&] {
+            return std::min((box.x1 - squares.x) >> shift, squares.columns - 1);
+        };
+        const bool large =
+            (lastColumn() - firstColumn() + 1) * (row1 - row0 + 1) > kSmallLightRange;
+        if (large && !planes_)
+            planes_.emplace(LightTriangle(triangle_, grid_.position), face_, guard_);
+        const int x0 = box.x0, x1 = box.x1;
+        for (int row = row0; row <= row1; ++row) {
+            const int y = squares.y + (row << shift);
+            if (large) {
+                box.x0 = x0, box.x1 = x1;
+                planes_->clip(y, 1 << shift, box);
+            }
+            const int last = lastColumn();
+            for (int column = firstColumn(); column <= last; ++column) {
+                const uint32_t node =
+                    grid_.tree.nodes[squares.first + (uint32_t) (row * squares.columns + column)];
+                const int x = squares.x + (column << shift);
+                if ((node & LightTree::kInner) != 0) {
+                    constexpr int split = 1 << LightTree::kSplitBits;
+                    listIn({node & ~LightTree::kInner, x, y, split, split,
+                            shift - LightTree::kSplitBits},
+                           box);
+                    continue;
+                }
+                const double near =
+                    planes_ ? std::max(least_, planes_->near(x, y, 1 << shift)) : least_;
+                emit_(node, (float) (near * kBelow), box.in(x, y, shift));
+            }
+        }
+    }
+
+    const LightGrid& grid_;
+    const LightFace& face_;
+    const Triangle& triangle_;
+    const double guard_, least_;
+    Emit& emit_;
+    std::optional<LightPlanes> planes_;
+};
+
+/// Calls emit(tile, near, box) for at least all tiles of \p face that come within the guard of a
+/// part of the triangle with w >= \p clip. No point of that part within the guard of the tile is
+/// nearer than `near`, or more than the guard outside the box.
 template <class Emit>
-void rasterFromLight(const LightTriangle& triangle, const LightFace& face, int tiles, double clip,
-                     Emit&& emit) {
+void rasterFromLight(const LightGrid& grid, const Triangle& triangle, const LightFace& face,
+                     double clip, Emit&& emit) {
+    const LightTriangle seen(triangle, grid.position);
     const int x = face.axisX, y = face.axisY, w = face.axisW;
-    const double sign = face.signW;
-    const double step = 2.0 / tiles, guard = step * kLightGuard / kUnits;
-    const double rim = 1.0 + 2.0 * guard;
-    const glm::dvec3* const v = triangle.v;
+    const double sign = face.signW, rim = 1.0 + kLightRim;
+    const glm::dvec3* const v = seen.v;
     const auto outside = [&](auto&& side) { return side(v[0]) && side(v[1]) && side(v[2]); };
     if (outside([&](const glm::dvec3& p) { return sign * p[w] < clip; }) ||
         outside([&](const glm::dvec3& p) { return p[x] > rim * sign * p[w]; }) ||
@@ -116,62 +228,13 @@ void rasterFromLight(const LightTriangle& triangle, const LightFace& face, int t
             include(a[x] + t * (b[x] - a[x]), a[y] + t * (b[y] - a[y]), clip);
         }
     }
-    // Far beyond the rim, all is one.
-    const double unitsPerSlope = 0.5 * kUnits * tiles, far = 2.0 * kUnits * tiles;
-    const auto unitsOf = [&](double slope) {
-        return std::clamp((slope + 1.0) * unitsPerSlope, -far, far);
-    };
-    const auto first = [&](double slope) { return (int) std::floor(unitsOf(slope) - kLightGuard); };
-    const auto last = [&](double slope) { return (int) std::floor(unitsOf(slope) + kLightGuard); };
-    UnitBox box{first(low[0]), last(high[0]), first(low[1]), last(high[1])};
-    const LightRange range(box, face);
-    if (range.empty()) return;
-    if (range.small()) return emitSmall(range, face, box, (float) (least * kBelow), emit);
-
-    // Row by row, between the edges: an edge's plane n . (s, t, 1) >= 0 taken at the border of the
-    // widened row where it is largest leaves a bound of s, off by less than 2^-48 size^2 / |n_x|:
-    // edges are heeded where that is less than half a unit. Edge-on triangles have no inner side.
-    struct Edge {
-        double t, constant, slope; ///< n_y, n_w, and -1/n_x
-        int side;                  ///< s is bounded from below (1), above (-1), or not (0)
-    } edges[3];
-    const double orientation = triangle.determinant < 0.0 ? -1.0 : 1.0;
-    for (int i = 0; i < 3; ++i) {
-        const glm::dvec3 n = orientation * triangle.edges[i];
-        const bool clear =
-            !triangle.edgeOn && std::abs(n[x]) * step > 0x1p-40 * triangle.size * triangle.size;
-        edges[i] = {n[y], sign * n[w], clear ? -1.0 / n[x] : 0.0, clear ? n[x] > 0.0 ? 1 : -1 : 0};
-    }
-    // 1/w is affine in the slopes: (normal . (s, t, 1)) / determinant, largest in a tile's corner.
-    // Both are taken where their errors are below 2^-24 of them.
-    const glm::dvec3 n = orientation * triangle.normal;
-    const double depth = std::abs(triangle.determinant);
-    const double area = 0x1p-22 * triangle.length * triangle.length;
-    const double unclear = depth > area * triangle.size ? area : HUGE_VAL;
-    const double perColumn = n[x] * step;
-    const int x0 = box.x0, x1 = box.x1;
-    for (int row = range.row0; row <= range.row1; ++row) {
-        const double t0 = row * step - 1.0 - guard, t1 = (row + 1) * step - 1.0 + guard;
-        double from = low[0], to = high[0];
-        for (const Edge& edge : edges) {
-            const double bound = (std::max(edge.t * t0, edge.t * t1) + edge.constant) * edge.slope;
-            if (edge.side > 0) from = std::max(from, bound);
-            if (edge.side < 0) to = std::min(to, bound);
-        }
-        box.x0 = std::max(x0, first(from)), box.x1 = std::min(x1, last(to));
-        const LightRange inRow(box, face);
-        double inverse = std::max(n[y] * t0, n[y] * t1) + sign * n[w] +
-                         n[x] * (inRow.column0 * step - 1.0) +
-                         std::max(-n[x] * guard, n[x] * (step + guard));
-        for (int column = inRow.column0; column <= inRow.column1; ++column, inverse += perColumn) {
-            double near = least;
-            if (inverse > unclear) near = std::max(near, depth / inverse);
-            emit(lightTile(face, column, row), (float) (near * kBelow), box.in(column, row));
-        }
-    }
+    const double guard = lightGuard(grid.reach, least);
+    LightLister lister(grid, face, triangle, guard, least, emit);
+    lister.list({placeBelow(low[0], guard), placeAbove(high[0], guard), placeBelow(low[1], guard),
+                 placeAbove(high[1], guard)});
 }
 
-/// The fragments of triangles [begin, end) in \p grid, whose faces are set; writes the records of
+/// The fragments of triangles [begin, end) in \p grid, whose tree is made; writes the records of
 /// those that have any. Three vertices well inside a face are looked at in SIMD.
 void scanFromLight(const FrameGeometry& geometry, LightGrid& grid, size_t begin, size_t end,
                    LightPiece& piece);

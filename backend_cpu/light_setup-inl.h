@@ -25,15 +25,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 using LightTag = hn::CappedTag<double, 8>;
 inline constexpr size_t kMaxLightLanes = 8;
 
-/// The rectangles of tiles, for each face.
+/// The rectangles of roots, for each face, in places.
 struct LightFaces {
-    HWY_ALIGN int32_t column0[8] = {}, column1[8] = {}, row0[8] = {}, row1[8] = {};
+    HWY_ALIGN int32_t x0[8] = {}, x1[8] = {}, y0[8] = {}, y1[8] = {};
 
-    explicit LightFaces(const LightGrid& grid) {
+    explicit LightFaces(const LightTree& tree) {
         for (int i = 0; i < 6; ++i) {
-            const LightFace& face = grid.faces[i];
-            column0[i] = face.column, column1[i] = face.column + face.columns - 1;
-            row0[i] = face.row, row1[i] = face.row + face.rows - 1;
+            const LightFace& face = tree.faces[i];
+            x0[i] = face.column << tree.rootShift;
+            x1[i] = ((face.column + face.columns) << tree.rootShift) - 1;
+            y0[i] = face.row << tree.rootShift;
+            y1[i] = ((face.row + face.rows) << tree.rootShift) - 1;
         }
     }
 };
@@ -42,8 +44,8 @@ struct LightFaces {
 struct LightRanges {
     HWY_ALIGN int32_t x0[kMaxLightLanes], x1[kMaxLightLanes], y0[kMaxLightLanes],
         y1[kMaxLightLanes], face[kMaxLightLanes];
-    HWY_ALIGN float near[kMaxLightLanes];
-    uint32_t simple; ///< lanes of such triangles, in reach of the face's tiles
+    HWY_ALIGN double guard[kMaxLightLanes], least[kMaxLightLanes];
+    uint32_t simple; ///< lanes of such triangles, in reach of the face's roots
     uint32_t other;  ///< lanes of triangles that are not such
 };
 
@@ -70,7 +72,6 @@ public:
     HWY_INLINE void findRanges(const LightFaces& faces, const LightGrid& grid,
                                LightRanges& out) const {
         const LightTag d;
-        const FloatTag df;
         const hn::Rebind<int32_t, LightTag> di;
         // The face that the first vertex is seen in.
         const V ax = hn::Abs(v_[0][0]), ay = hn::Abs(v_[0][1]), az = hn::Abs(v_[0][2]);
@@ -87,7 +88,7 @@ public:
         }
         const auto negative = hn::Lt(w[0], hn::Zero(d));
         const V sign = hn::And(w[0], hn::SignBit(d));
-        const V inner = hn::Set(d, 1.0 - 4.0 * kLightGuard / (kUnits * (double) grid.tiles));
+        const V inner = hn::Set(d, 1.0 - kLightRim);
         for (V& depth : w) depth = hn::Xor(depth, sign);
         const V least = hn::Min(hn::Min(w[0], w[1]), w[2]);
         auto simple = hn::Gt(least, hn::Set(d, (double) grid.nearest));
@@ -96,42 +97,42 @@ public:
                              hn::Lt(hn::Max(hn::Abs(x[k]), hn::Abs(y[k])), hn::Mul(w[k], inner)));
         out.other = ~simdMaskBits(d, simple);
 
-        const V one = hn::Set(d, 1.0), perSlope = hn::Set(d, 0.5 * kUnits * grid.tiles);
-        V low[2], high[2];
+        const V one = hn::Set(d, 1.0), perSlope = hn::Set(d, kPlacesPerSlope);
+        V low[2], high[2], most = hn::Zero(d);
         for (int k = 0; k < 3; ++k) {
             const V r = hn::Div(one, hn::IfThenElse(simple, w[k], one));
             const V slope[2] = {hn::IfThenElseZero(simple, hn::Mul(x[k], r)),
                                 hn::IfThenElseZero(simple, hn::Mul(y[k], r))};
+            most = hn::Max(most, r);
             for (int i = 0; i < 2; ++i) {
                 low[i] = k == 0 ? slope[i] : hn::Min(low[i], slope[i]);
                 high[i] = k == 0 ? slope[i] : hn::Max(high[i], slope[i]);
             }
         }
-        const V guard = hn::Set(d, kLightGuard);
-        const auto units = [&](V slope) HWY_ATTR { return hn::Mul(hn::Add(slope, one), perSlope); };
+        // As lightGuard.
+        const V guard =
+            hn::Add(hn::Mul(hn::Set(d, grid.reach * (1.0 + 0x1p-8)), most), hn::Set(d, 4.0));
+        const auto places = [&](V slope)
+                                HWY_ATTR { return hn::Mul(hn::Add(slope, one), perSlope); };
         const auto first = [&](V slope) HWY_ATTR {
-            return hn::DemoteTo(di, hn::Floor(hn::Sub(units(slope), guard)));
+            return hn::DemoteTo(di, hn::Floor(hn::Sub(places(slope), guard)));
         };
         const auto last = [&](V slope) HWY_ATTR {
-            return hn::DemoteTo(di, hn::Floor(hn::Add(units(slope), guard)));
+            return hn::DemoteTo(di, hn::Floor(hn::Add(places(slope), guard)));
         };
         const auto x0 = first(low[0]), x1 = last(high[0]);
         const auto y0 = first(low[1]), y1 = last(high[1]);
         const V axis = pick(hn::Zero(d), hn::Set(d, 2.0), hn::Set(d, 4.0));
         const auto face = hn::DemoteTo(di, hn::Add(axis, hn::IfThenElseZero(negative, one)));
-        const auto before = [&](auto unit, const int32_t* tile) HWY_ATTR {
-            return hn::Lt(hn::ShiftRight<kUnitShift>(unit), hn::GatherIndex(di, tile, face));
-        };
-        const auto beyond = [&](auto unit, const int32_t* tile) HWY_ATTR {
-            return hn::Gt(hn::ShiftRight<kUnitShift>(unit), hn::GatherIndex(di, tile, face));
-        };
-        const auto aside = hn::Or(hn::Or(before(x1, faces.column0), beyond(x0, faces.column1)),
-                                  hn::Or(before(y1, faces.row0), beyond(y0, faces.row1)));
+        const auto at = [&](const int32_t* place)
+                            HWY_ATTR { return hn::GatherIndex(di, place, face); };
+        const auto aside = hn::Or(hn::Or(hn::Lt(x1, at(faces.x0)), hn::Gt(x0, at(faces.x1))),
+                                  hn::Or(hn::Lt(y1, at(faces.y0)), hn::Gt(y0, at(faces.y1))));
         out.simple = ~out.other & ~simdMaskBits(di, aside);
         hn::Store(x0, di, out.x0), hn::Store(x1, di, out.x1);
         hn::Store(y0, di, out.y0), hn::Store(y1, di, out.y1);
         hn::Store(face, di, out.face);
-        hn::Store(hn::DemoteTo(df, hn::Mul(least, hn::Set(d, kBelow))), df, out.near);
+        hn::Store(guard, d, out.guard), hn::Store(least, d, out.least);
     }
 
     /// The records of the lanes in \p which, the first lane's at \p records.

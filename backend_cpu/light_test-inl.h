@@ -46,21 +46,33 @@ struct LightRay {
             size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
         distance = size[axis];
         if (!ends || !(distance <= grid.reach && distance >= grid.nearest)) return;
-        const LightFace& face = grid.faces[2 * axis + (p[axis] < 0.0f)];
-        const float units = 0.5f * kUnits * (float) grid.tiles, r = 1.0f / distance;
-        const auto unitAlong = [&](int i) {
-            return std::min((int) ((p[i] * r + 1.0f) * units), kUnits * grid.tiles - 1);
+        const LightTree& tree = grid.tree;
+        const LightFace& face = tree.faces[2 * axis + (p[axis] < 0.0f)];
+        const float r = 1.0f / distance;
+        const auto placeAlong = [&](int i) {
+            return std::min((int) ((p[i] * r + 1.0f) * (float) kPlacesPerSlope),
+                            (1 << kPlaceBits) - 1);
         };
-        const int x = unitAlong(face.axisX), y = unitAlong(face.axisY);
-        const uint32_t column = (uint32_t) ((x >> kUnitShift) - face.column);
-        const uint32_t row = (uint32_t) ((y >> kUnitShift) - face.row);
+        const int x = placeAlong(face.axisX), y = placeAlong(face.axisY);
+        int shift = tree.rootShift;
+        const uint32_t column = (uint32_t) ((x >> shift) - face.column);
+        const uint32_t row = (uint32_t) ((y >> shift) - face.row);
         if (column >= (uint32_t) face.columns || row >= (uint32_t) face.rows) return;
-        tile = face.firstTile + row * (uint32_t) face.columns + column;
-        const uint32_t inX = (uint32_t) x % kUnits, inY = (uint32_t) y % kUnits;
-        place = inX | (kUnits - 1 - inX) << 8 | inY << 16 | (kUnits - 1 - inY) << 24;
+        tile = tree.nodes[face.firstNode + row * (uint32_t) face.columns + column];
+        while ((tile & LightTree::kInner) != 0) {
+            shift -= LightTree::kSplitBits;
+            tile = tree.nodes[(tile & ~LightTree::kInner) + (uint32_t) (y >> shift & 3) * 4 +
+                              (uint32_t) (x >> shift & 3)];
+        }
+        constexpr uint32_t last = (1u << kUnitBits) - 1;
+        const uint32_t inX = (uint32_t) (x >> (shift - kUnitBits)) & last;
+        const uint32_t inY = (uint32_t) (y >> (shift - kUnitBits)) & last;
+        place = inX | (last - inX) << 8 | inY << 16 | (last - inY) << 24;
         // A point of the ray is at most (1 + 2^-24) as deep as its origin.
         depth = distance * (1.0f + 0x1p-20f);
+        hwy::Prefetch(&grid.heads[tile]);
     }
+    bool looksUp() const { return tile != kNoTile; }
 };
 
 /// Those of 16 entries from \p begin on, which may be before the ray's origin where it is, as bits.
@@ -82,6 +94,36 @@ HWY_INLINE uint32_t mayOcclude(const LightGrid& grid, size_t begin, const LightR
     }
     return bits;
 }
+
+/// The triangles of a ray's list that may occlude it, some at a time.
+struct LightCandidates {
+    static constexpr size_t kEnough = 8;
+    uint32_t id[kEnough - 1 + LightGrid::kPadding];
+    size_t count;
+    uint32_t next, end; ///< of the list, what has not been looked at
+
+    HWY_INLINE void start(const LightGrid& grid, const LightRay& ray) {
+        count = 0;
+        next = grid.heads[ray.tile];
+        end = grid.heads[ray.tile + 1];
+        hwy::Prefetch(grid.near.data() + next);
+        hwy::Prefetch(grid.box.data() + next);
+        hwy::Prefetch(grid.id.data() + next);
+    }
+
+    HWY_INLINE void find(const LightGrid& grid, const LightRay& ray) {
+        count = 0;
+        while (next < end && count < kEnough) {
+            const uint32_t first = next, entries = std::min(end - first, 16u);
+            next += entries;
+            uint32_t rest = mayOcclude(grid, first, ray) & (0xffffu >> (16 - entries));
+            for (; rest != 0; rest &= rest - 1) {
+                id[count] = grid.id[first + hwy::Num0BitsBelowLS1Bit_Nonzero32(rest)];
+                hwy::Prefetch(&grid.records[id[count++]]);
+            }
+        }
+    }
+};
 
 enum class LightTest { misses, mayHit, hits };
 

@@ -260,25 +260,21 @@ bool OccludedInLeaves(const LeafTracer& tracer, const Ray& ray, float maxT, Leaf
 }
 
 /// The ray from the light's point of view: one list.
-bool OccludedFromLight(const LeafTracer& tracer, const LightRay& seen, const Ray& ray, float maxT,
-                       LeafCounts& counts) {
+bool OccludedFromLight(const LeafTracer& tracer, const LightRay& seen, LightCandidates& candidates,
+                       const Ray& ray, float maxT, LeafCounts& counts) {
     const LightGrid& grid = *tracer.light;
     AnyQuery query(tracer, ray, maxT);
     ++counts.lookups;
     const auto& triangles = tracer.geometry.triangles;
     for (const uint32_t id : grid.close) query.test(id, triangles[id], counts);
-    if (query.found) return true;
-    const uint32_t end = grid.heads[seen.tile + 1];
-    for (uint32_t first = grid.heads[seen.tile]; first < end; first += LightGrid::kPadding) {
-        uint32_t rest = mayOcclude(grid, first, seen);
-        if (end - first < LightGrid::kPadding) rest &= (1u << (end - first)) - 1;
-        for (; rest != 0; rest &= rest - 1) {
-            const uint32_t id = grid.id[first + hwy::Num0BitsBelowLS1Bit_Nonzero32(rest)];
+    for (;; candidates.find(grid, seen)) {
+        for (size_t i = 0; i < candidates.count && !query.found; ++i) {
+            const uint32_t id = candidates.id[i];
             if (id == ray.skip) continue;
             ++counts.listed;
             switch (testRecord(grid.records[id], seen)) {
             case LightTest::misses:
-                continue;
+                break;
             case LightTest::mayHit:
                 query.test(id, triangles[id], counts);
                 break;
@@ -286,23 +282,43 @@ bool OccludedFromLight(const LeafTracer& tracer, const LightRay& seen, const Ray
                 query.testCertain(id, counts);
                 break;
             }
-            if (query.found) return true;
         }
+        if (query.found || candidates.next == candidates.end) return query.found;
     }
-    return query.found;
 }
+
+/// Rays of a group are looked up step by step together: what one of them waits for, the caches
+/// bring meanwhile.
+inline constexpr size_t kLightGroup = 16;
 
 void Occluded(const LeafTracer& tracer, std::span<const Ray> rays, std::span<const float> maxT,
               std::span<uint8_t> result, LeafCounts& counts) {
-    LightRay seen;
-    for (size_t i = 0; i < rays.size(); ++i) {
-        const Ray ray = flushedRay(rays[i]);
-        result[i] = 0;
-        if (!isTraceable(ray) || !(maxT[i] > 0.0f)) continue;
-        if (tracer.light) seen.set(*tracer.light, ray, maxT[i]);
-        result[i] = seen.tile == LightRay::kNoTile
-                        ? OccludedInLeaves(tracer, ray, maxT[i], counts)
-                        : OccludedFromLight(tracer, seen, ray, maxT[i], counts);
+    LightRay seen[kLightGroup];
+    LightCandidates candidates[kLightGroup];
+    Ray flushed[kLightGroup];
+    for (size_t first = 0; first < rays.size(); first += kLightGroup) {
+        const size_t count = std::min(kLightGroup, rays.size() - first);
+        for (size_t i = 0; i < count; ++i) {
+            flushed[i] = flushedRay(rays[first + i]);
+            if (!tracer.light) continue;
+            seen[i].set(*tracer.light, flushed[i], maxT[first + i]);
+            if (flushed[i].skip != kNoPrimitive)
+                hwy::Prefetch(&tracer.geometry.triangles[flushed[i].skip]);
+        }
+        for (size_t i = 0; i < count; ++i)
+            if (seen[i].looksUp()) candidates[i].start(*tracer.light, seen[i]);
+        for (size_t i = 0; i < count; ++i)
+            if (seen[i].looksUp()) candidates[i].find(*tracer.light, seen[i]);
+        for (size_t i = 0; i < count; ++i) {
+            const Ray& ray = flushed[i];
+            const float end = maxT[first + i];
+            bool occluded = false;
+            if (isTraceable(ray) && end > 0.0f)
+                occluded = seen[i].looksUp()
+                               ? OccludedFromLight(tracer, seen[i], candidates[i], ray, end, counts)
+                               : OccludedInLeaves(tracer, ray, end, counts);
+            result[first + i] = occluded;
+        }
     }
 }
 
