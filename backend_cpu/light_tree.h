@@ -38,8 +38,8 @@ struct LightTree {
     std::array<LightFace, 6> faces;
     int rootShift = kPlaceBits; ///< a root is 2^rootShift places wide
     uint32_t tiles = 0;
-    /// The roots of all faces, then the children of inner nodes. A tile's number, in the order of
-    /// the plane-filling curve, or kInner and the first child's index.
+    /// The roots of all faces, then the children of inner nodes. A tile's number, those of one root
+    /// following one another, or kInner and the first child's index.
     std::vector<uint32_t> nodes;
 };
 
