@@ -17,7 +17,7 @@ constexpr size_t kSamplesPerPiece = 1024;
 
 /// Triangles to a root, of those spread evenly over the cone; and to a tile, at most, of those that
 /// fit into it: larger ones would be in most of its parts.
-constexpr double kPerRoot = 64.0;
+constexpr double kPerRoot = 32.0;
 constexpr uint32_t kMostSamples = 16;
 
 constexpr int kLeastRootBits = 2, kMostRootBits = 10;
