@@ -40,6 +40,14 @@ void LoadReport::warn(WarningKind kind, const std::filesystem::path& file, size_
     add({kind, atLine(file, line, message)});
 }
 
+void LoadReport::warn(const std::filesystem::path& file, const std::vector<Fault>& faults) {
+    for (const Fault& fault : faults) {
+        const std::string times =
+            fault.count > 1 ? " (" + std::to_string(fault.count) + " times)" : "";
+        warn(fault.kind, file, fault.line, fault.message + times);
+    }
+}
+
 void LoadReport::ignore(const std::string& name) {
     addIgnored(printable(name));
 }

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -10,7 +13,14 @@
 namespace dirt {
 
 /// What a file lacked, and a neutral stand-in replaces.
-enum class WarningKind { missingMaterialLibrary, undefinedMaterial, unusableTexture };
+enum class WarningKind {
+    missingMaterialLibrary,
+    undefinedMaterial,
+    unusableTexture,
+    unusableAttribute, ///< of a corner or vertex: a normal, texture coordinates, a colour
+    skippedGeometry,   ///< a face or a vertex that cannot be
+    precision          ///< float32 does not hold what the files say
+};
 
 /// Something that did not stop the load. The text is one line, "file:line: what is missing".
 struct Warning {
@@ -31,6 +41,38 @@ std::string atLine(const std::filesystem::path& file, size_t line, const std::st
 [[noreturn]] void failAt(const std::filesystem::path& file, size_t line,
                          const std::string& message);
 
+/// A kind of fault in one file, however often it is there.
+struct Fault {
+    WarningKind kind;
+    size_t line;         ///< of the first; 0: the file has no lines
+    std::string message; ///< what is wrong with the first, and what stands in for all
+    uint64_t count;
+};
+
+/// Counts the faults of one file, of which there may be a million.
+class FaultCounter {
+public:
+    /// \p name tells faults of one kind and is not shown. Of each name the first message() counts;
+    /// it is not called again.
+    template <typename Message>
+    void add(WarningKind kind, std::string_view name, size_t line, const Message& message) {
+        const auto known = places_.find(name);
+        if (known != places_.end()) {
+            ++faults_[known->second].count;
+            return;
+        }
+        places_.emplace(name, faults_.size());
+        faults_.push_back({kind, line, message(), 1});
+    }
+
+    /// In the order of their first appearance.
+    const std::vector<Fault>& faults() const { return faults_; }
+
+private:
+    std::vector<Fault> faults_;
+    std::map<std::string, size_t, std::less<>> places_;
+};
+
 /// Gathers what readers notice without stopping.
 class LoadReport {
 public:
@@ -40,6 +82,8 @@ public:
     /// The same text is kept once.
     void warn(WarningKind kind, const std::filesystem::path& file, size_t line,
               const std::string& message);
+    /// One warning for each, with how often it is there.
+    void warn(const std::filesystem::path& file, const std::vector<Fault>& faults);
     /// Notes a name (element, attribute, key) that has no effect; each is kept once.
     void ignore(const std::string& name);
 

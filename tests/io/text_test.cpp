@@ -121,5 +121,22 @@ TEST(LoadReport, KeepsEachWarningAndNameOnce) {
     EXPECT_EQ(report.ignored(), (std::vector<std::string>{"b", "a"}));
 }
 
+TEST(FaultCounter, TellsTheFirstOfAKindAndCountsTheOthers) {
+    FaultCounter counter;
+    for (size_t line = 5; line < 9; ++line)
+        counter.add(WarningKind::unusableAttribute, "normal", line,
+                    [&] { return "bad normal " + std::to_string(line); });
+    counter.add(WarningKind::skippedGeometry, "face", 6, [] { return "no face"; });
+    LoadReport report;
+    report.warn("a.obj", counter.faults());
+    ASSERT_EQ(report.warnings().size(), 2u);
+    EXPECT_EQ(report.warnings()[0].text, "a.obj:5: bad normal 5 (4 times)");
+    EXPECT_EQ(report.warnings()[0].kind, WarningKind::unusableAttribute);
+    EXPECT_EQ(report.warnings()[1].text, "a.obj:6: no face");
+    LoadReport strict(true);
+    EXPECT_EQ(inputError([&] { strict.warn("a.obj", counter.faults()); }),
+              "a.obj:5: bad normal 5 (4 times)");
+}
+
 } // namespace
 } // namespace dirt
