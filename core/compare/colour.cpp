@@ -33,10 +33,6 @@ double labCurve(double t) {
 
 } // namespace
 
-double decodeSrgb(double value) {
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
 glm::dvec3 linearToOpponent(glm::dvec3 rgb) {
     const glm::dvec3 p = kLinearToXyz * rgb / kWhite;
     return {116.0 * p.y - 16.0, 500.0 * (p.x - p.y), 200.0 * (p.y - p.z)};

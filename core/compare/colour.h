@@ -1,14 +1,13 @@
 #pragma once
 
+#include "core/scene/srgb.h"
+
 #include <glm/vec3.hpp>
 
 namespace dirt {
 
 // Colour spaces of FLIP (Andersson et al. 2020, section 4.1), from linear Rec.709 in [0, 1].
 // White is D65 with the chromaticity (0.31271, 0.32902).
-
-/// sRGB's decoding of one display value.
-double decodeSrgb(double value);
 
 /// Opponent space YCxCz: a linear form of CIELab, in which spatial filters act.
 glm::dvec3 linearToOpponent(glm::dvec3 rgb);

@@ -1,8 +1,8 @@
 #include "core/io/gltf.h"
 
+#include "core/io/gltf_faults.h"
 #include "core/io/gltf_material.h"
 
-#include <cmath>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -15,10 +15,6 @@ namespace {
 constexpr uint64_t kHighest = 0xfffffffe;
 /// Nodes may place one mesh any number of times: a small file must not cost all memory.
 constexpr uint64_t kMostTriangles = uint64_t(1) << 28;
-
-bool isFinite(glm::vec3 p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 template <typename Vector>
 std::vector<Vector> vectors(const std::vector<float>& values) {
@@ -48,6 +44,7 @@ public:
                 readPrimitive(primitive, primitives);
         }
         placeNodes();
+        report_.warn(gltf_.file, faults_.faults());
         return std::move(gltf_);
     }
 
@@ -82,6 +79,7 @@ private:
             source.fail("has " + std::to_string(corners.size()) +
                         " corners, which make no whole triangles");
         primitive.triangles = trianglesOf(corners, mode);
+        checkVertices(primitive, source, faults_);
         list.push_back(std::move(primitive));
     }
 
@@ -96,9 +94,6 @@ private:
         primitive.positions = vectors<glm::vec3>(
             data_.floats(attributes.requiredInteger("POSITION", kHighest), attributes, 3));
         const size_t count = primitive.positions.size();
-        for (size_t i = 0; i < count; ++i)
-            if (!isFinite(primitive.positions[i]))
-                source.fail("has position " + std::to_string(i) + ", which is not finite");
         if (const auto normals = attributes.integer("NORMAL", kHighest))
             primitive.normals = vectors<glm::vec3>(data_.floats(*normals, attributes, 3));
         if (const auto texcoords = attributes.integer(texcoord.c_str(), kHighest))
@@ -198,6 +193,7 @@ private:
 
     GltfData data_;
     LoadReport& report_;
+    FaultCounter faults_;
     GltfFile gltf_;
 };
 

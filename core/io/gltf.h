@@ -44,7 +44,7 @@ struct GltfFile {
     };
     /// Triangles of one material.
     struct Primitive {
-        std::vector<glm::vec3> positions; ///< finite
+        std::vector<glm::vec3> positions; ///< finite where a triangle uses them
         std::vector<glm::vec3> normals;   ///< one a position, or none; may hold NaN
         std::vector<glm::vec2> texcoords; ///< one a position, or none; v downwards; may hold NaN
         std::vector<std::array<uint32_t, 3>> triangles; ///< into these; in range
@@ -71,8 +71,9 @@ void setMetallicRoughness(Material& material, float metallic, float roughness);
 /// that are no one's children), triangles, strips and fans, sparse accessors too. Points, lines,
 /// skins, morph targets and animations are skipped; what else has no effect is reported as ignored.
 /// Throws InputError, "file: meshes[3].primitives[0] …", where the file is malformed, a value is of
-/// the wrong kind or out of range, an accessor reaches beyond its data, a position is not finite, a
-/// node is its own ancestor or has two parents, or there are absurdly many triangles.
+/// the wrong kind or out of range, an accessor reaches beyond its data, a position that a triangle
+/// uses is not finite, a node is its own ancestor or has two parents, or there are absurdly many
+/// triangles. Normals and texture coordinates that are none are warnings, one of each kind.
 ///
 /// tinygltf is not used here: it takes values of the wrong kind for absent ones, checks no ranges,
 /// reads up to eight bytes beyond a .glb whose chunk is too long, and decodes images by itself.

@@ -44,6 +44,9 @@ public:
     /// The names of the object's members.
     std::vector<std::string> names() const;
 
+    /// As errors name it: "meshes[3].primitives[0]"; empty for the root.
+    const std::string& place() const { return place_; }
+
     /// Throws InputError: "file: place message".
     [[noreturn]] void fail(const std::string& message) const;
 

@@ -84,6 +84,13 @@ void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport&
     placeModels(list, options.cache && source.cache, options, report, scene);
 }
 
+/// Why there may be none.
+std::string firstSkipped(const LoadReport& report) {
+    for (const Warning& warning : report.warnings())
+        if (warning.kind == WarningKind::skippedGeometry) return " (" + warning.text + ")";
+    return "";
+}
+
 } // namespace
 
 LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
@@ -95,7 +102,8 @@ LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
         loadSceneFile(file, options, report, loaded);
     else
         failAt(file, 0, "is no .scene, .obj, .gltf or .glb file");
-    if (loaded.scene.mesh.triangles.empty()) failAt(file, 0, "holds no triangles");
+    if (loaded.scene.mesh.triangles.empty())
+        failAt(file, 0, "holds no triangles" + firstSkipped(report));
 
     SerialExecutor serial;
     moveScene(loaded.scene, 0, serial);

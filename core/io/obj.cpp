@@ -2,11 +2,17 @@
 
 #include "core/io/number.h"
 #include "core/io/text_file.h"
+#include "core/io/vertex_colours.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
+#include <span>
 #include <string_view>
+
+#include <glm/geometric.hpp>
 
 namespace dirt {
 
@@ -31,20 +37,33 @@ public:
             const std::string_view keyword = takeWord(arguments);
             if (!keyword.empty() && keyword[0] != '#') statement(keyword, arguments);
         }
-        checkRanges();
+        checkIndices();
+        checkVertices();
+        decodeColours();
+        obj_.faults = faults_.faults();
+        std::stable_sort(obj_.faults.begin(), obj_.faults.end(),
+                         [](const Fault& a, const Fault& b) { return a.line < b.line; });
         return std::move(obj_);
     }
 
 private:
+    enum Attribute { kPosition, kTexcoord, kNormal };
+    /// An index that cannot be in range, whatever follows.
+    static constexpr uint32_t kNowhere = ObjFile::kNone - 1;
+
     [[noreturn]] void fail(const std::string& message) const { failAt(obj_.file, line_, message); }
+
+    void fault(const char* message) {
+        faults_.add(WarningKind::unusableAttribute, message, line_, [=] { return message; });
+    }
 
     void statement(std::string_view keyword, std::string_view arguments) {
         if (keyword == "v")
             position(arguments);
         else if (keyword == "vn")
-            obj_.normals.push_back(numbers(keyword, arguments, 3));
+            normal(arguments);
         else if (keyword == "vt")
-            obj_.texcoords.emplace_back(numbers(keyword, arguments, 1));
+            texcoord(arguments);
         else if (keyword == "f")
             face(arguments);
         else if (keyword == "usemtl")
@@ -55,41 +74,75 @@ private:
             report_.ignore("OBJ " + std::string(keyword));
     }
 
-    /// The first three of the line's numbers, of which \p needed must be there; others are 0.
-    /// Further numbers (weights, colours) are only checked for their form.
-    glm::dvec3 numbers(std::string_view keyword, std::string_view arguments, int needed) const {
-        glm::dvec3 values(0.0);
-        int count = 0;
+    /// How many of the line's numbers there are, of which \p needed must be there. The first six
+    /// go into values_; those that are not there are 0.
+    size_t numbers(std::string_view keyword, std::string_view arguments, size_t needed) {
+        values_ = {};
+        size_t count = 0;
         for (;;) {
             const std::string_view word = takeWord(arguments);
             if (word.empty() || word[0] == '#') break;
             const auto value = parseNumber(word);
             if (!value) fail("malformed number " + inQuotes(word));
-            if (count < 3) values[count] = *value;
+            if (count < values_.size()) values_[count] = *value;
             ++count;
         }
         if (count < needed)
             fail(std::string(keyword) + " needs " + std::to_string(needed) +
                  (needed == 1 ? " number" : " numbers") + ", not " + std::to_string(count));
-        return values;
+        return count;
     }
 
+    /// A fourth number is a weight; six are position and colour. What follows is alpha, or nothing
+    /// that Blender or MeshLab would look at.
     void position(std::string_view arguments) {
-        const glm::dvec3 p = numbers("v", arguments, 3);
-        if (!fitsFloat(p)) fail("a coordinate is not a finite float32 number");
+        const size_t count = numbers("v", arguments, 3);
+        const glm::dvec3 p(values_[0], values_[1], values_[2]);
+        if (!fitsFloat(p)) unfit_.push_back({obj_.positions.size(), line_});
+        if (count >= 6) {
+            const glm::dvec3 colour(values_[3], values_[4], values_[5]);
+            const bool bright = colours_.largest() > 1.0;
+            if (!colours_.set(obj_.positions.size(), colour))
+                fault("a vertex colour is negative or not finite: white is taken");
+            if (!bright && colours_.largest() > 1.0) brightLine_ = line_;
+        }
         obj_.positions.push_back(p);
     }
 
+    void normal(std::string_view arguments) {
+        numbers("vn", arguments, 3);
+        const glm::dvec3 n(values_[0], values_[1], values_[2]);
+        const double square = glm::dot(n, n);
+        if (!std::isfinite(square))
+            fault("a normal is not finite: triangles with it have their own");
+        else if (!(square > 0.0))
+            fault("a normal has no length: triangles with it have their own");
+        obj_.normals.push_back(n);
+    }
+
+    void texcoord(std::string_view arguments) {
+        numbers("vt", arguments, 1);
+        if (!fitsFloat(values_[0]) || !fitsFloat(values_[1]))
+            fault("texture coordinates are not finite: triangles with them have none");
+        obj_.texcoords.emplace_back(values_[0], values_[1]);
+    }
+
     void face(std::string_view arguments) {
-        const size_t first = obj_.corners.size();
+        words_.clear();
         for (;;) {
             const std::string_view word = takeWord(arguments);
             if (word.empty() || word[0] == '#') break;
-            obj_.corners.push_back(corner(word));
+            words_.push_back(word);
         }
-        const size_t count = obj_.corners.size() - first;
-        if (count < 3) fail("a face needs 3 corners, not " + std::to_string(count));
-        obj_.faces.push_back({line_, first, (uint32_t) count, material_});
+        const size_t count = words_.size();
+        if (count < 3) {
+            faults_.add(WarningKind::skippedGeometry, "face", line_, [=] {
+                return "a face needs 3 corners, not " + std::to_string(count) + ": it is skipped";
+            });
+            return;
+        }
+        obj_.faces.push_back({line_, obj_.corners.size(), (uint32_t) count, material_});
+        for (const std::string_view word : words_) obj_.corners.push_back(corner(word));
     }
 
     /// "position", "position/texcoord", "position//normal" or "position/texcoord/normal".
@@ -104,13 +157,14 @@ private:
             if (i == 2) fail("malformed corner " + inQuotes(word));
         }
         if (parts[0].empty()) fail("malformed corner " + inQuotes(word));
-        return {index(parts[0], word, obj_.positions.size(), "v"),
-                index(parts[1], word, obj_.texcoords.size(), "vt"),
-                index(parts[2], word, obj_.normals.size(), "vn")};
+        return {index(parts[0], word, obj_.positions.size(), kPosition),
+                index(parts[1], word, obj_.texcoords.size(), kTexcoord),
+                index(parts[2], word, obj_.normals.size(), kNormal)};
     }
 
     /// \p present: how many of these there are so far, from which negative indices count back.
-    uint32_t index(std::string_view text, std::string_view word, size_t present, const char* what) {
+    uint32_t index(std::string_view text, std::string_view word, size_t present,
+                   Attribute attribute) {
         if (text.empty()) return ObjFile::kNone;
         int64_t value = 0;
         const char* end = text.data() + text.size();
@@ -120,36 +174,67 @@ private:
         const bool fits = error == std::errc();
         if (fits && value < 0 && value >= -(int64_t) present)
             return (uint32_t) ((int64_t) present + value);
-        if (fits && value > 0 && value < ObjFile::kNone) return (uint32_t) (value - 1);
+        if (fits && value > 0 && value <= kNowhere) return (uint32_t) (value - 1);
         // An earlier face may turn out wrong when all vertices are known: that one is reported.
-        if (rangeErrorLine_ == 0) {
-            rangeErrorLine_ = line_;
-            rangeError_ = outOfRange(std::string(text), what, present);
-        }
-        return ObjFile::kNone;
+        if (nowhere_[attribute].empty())
+            nowhere_[attribute] = outOfRange(std::string(text), attribute, present);
+        return kNowhere;
     }
 
-    static std::string outOfRange(const std::string& index, const char* what, size_t present) {
-        return std::string(what) + " index " + printable(index) + " is out of range (" +
-               std::to_string(present) + " present)";
+    static std::string outOfRange(const std::string& index, Attribute attribute, size_t present) {
+        constexpr const char* kNames[] = {"v", "vt", "vn"};
+        return std::string(kNames[attribute]) + " index " + printable(index) +
+               " is out of range (" + std::to_string(present) + " present)";
     }
 
-    /// Reports the first index that is out of range, once all that indices may refer to is read.
-    void checkRanges() {
-        const auto check = [&](uint32_t index, size_t present, const char* what) {
-            if (index != ObjFile::kNone && index >= present)
-                fail(outOfRange(std::to_string(index + 1ull), what, present));
+    /// Looks for indices that are out of range, once all that they may refer to is read.
+    void checkIndices() {
+        const auto textOf = [&](uint32_t index, size_t present, Attribute attribute) {
+            return index == kNowhere ? nowhere_[attribute]
+                                     : outOfRange(std::to_string(index + 1ull), attribute, present);
         };
+        const auto optional = [&](uint32_t& index, size_t present, Attribute attribute,
+                                  const char* fallback) {
+            if (index == ObjFile::kNone || index < present) return;
+            faults_.add(WarningKind::unusableAttribute, fallback, line_,
+                        [&] { return textOf(index, present, attribute).append(fallback); });
+            index = ObjFile::kNone;
+        };
+        const size_t positions = obj_.positions.size();
         for (const ObjFile::Face& face : obj_.faces) {
-            if (face.line == rangeErrorLine_) failAt(obj_.file, face.line, rangeError_);
             line_ = face.line;
-            for (size_t i = 0; i < face.corners; ++i) {
-                const ObjFile::Corner& corner = obj_.corners[face.firstCorner + i];
-                check(corner.position, obj_.positions.size(), "v");
-                check(corner.texcoord, obj_.texcoords.size(), "vt");
-                check(corner.normal, obj_.normals.size(), "vn");
+            for (ObjFile::Corner& c :
+                 std::span(obj_.corners).subspan(face.firstCorner, face.corners)) {
+                if (c.position >= positions) fail(textOf(c.position, positions, kPosition));
+                optional(c.texcoord, obj_.texcoords.size(), kTexcoord,
+                         ": triangles with it have no texture coordinates");
+                optional(c.normal, obj_.normals.size(), kNormal,
+                         ": triangles with it have their own normal");
             }
         }
+    }
+
+    /// A position that is not finite matters where a face uses it.
+    void checkVertices() {
+        if (unfit_.empty()) return;
+        std::vector<bool> used(obj_.positions.size(), false);
+        for (const ObjFile::Corner& corner : obj_.corners) used[corner.position] = true;
+        for (const Unfit& vertex : unfit_) {
+            line_ = vertex.line;
+            const std::string what = "a coordinate is not a finite float32 number";
+            if (used[vertex.index]) fail(what);
+            faults_.add(WarningKind::skippedGeometry, "vertex", line_,
+                        [&] { return what + ": no face uses the vertex"; });
+        }
+    }
+
+    void decodeColours() {
+        obj_.colors = colours_.decoded(obj_.positions.size());
+        line_ = brightLine_;
+        if (colours_.areOf255())
+            fault("vertex colours are whole numbers above 1: they are taken as of 255");
+        else if (brightLine_ > 0)
+            fault("a vertex colour is above 1: 1 is taken");
     }
 
     /// The place of a name in \p list, where it is appended if it is new.
@@ -165,12 +250,22 @@ private:
         return place;
     }
 
+    /// A position that does not fit in float32.
+    struct Unfit {
+        size_t index, line;
+    };
+
     LoadReport& report_;
     ObjFile obj_;
+    FaultCounter faults_;
+    VertexColours colours_;
+    std::vector<Unfit> unfit_;
     size_t line_ = 0;
+    size_t brightLine_ = 0; ///< of the first colour above 1; 0: none
     uint32_t material_ = ObjFile::kNone;
-    size_t rangeErrorLine_ = 0; ///< of the first index that cannot be in range; 0: none
-    std::string rangeError_;
+    std::array<double, 6> values_{};      ///< of the line at hand
+    std::vector<std::string_view> words_; ///< of the line at hand
+    std::array<std::string, 3> nowhere_;  ///< of each attribute, what the first kNowhere was
     std::map<std::string, uint32_t, std::less<>> names_, libraries_;
 };
 
@@ -181,7 +276,9 @@ ObjFile readObj(const std::filesystem::path& file, LoadReport& report) {
 }
 
 ObjFile parseObj(const std::filesystem::path& file, std::string_view bytes, LoadReport& report) {
-    return ObjReader(file, report).read(textOf(file, bytes));
+    ObjFile obj = ObjReader(file, report).read(textOf(file, bytes));
+    report.warn(file, obj.faults);
+    return obj;
 }
 
 } // namespace dirt

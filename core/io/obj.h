@@ -35,19 +35,27 @@ struct ObjFile {
     };
 
     std::filesystem::path file;
-    std::vector<glm::dvec3> positions;
+    std::vector<glm::dvec3> positions; ///< those that a face uses fit in float32
+    std::vector<glm::vec3> colors;     ///< linear, one a position; empty where no vertex has one
     std::vector<glm::dvec3> normals;   ///< may hold NaN and infinity, as the file does
     std::vector<glm::dvec2> texcoords; ///< may hold NaN and infinity, as the file does
     std::vector<Corner> corners;
     std::vector<Face> faces;
     std::vector<Name> materialNames; ///< of usemtl, each once
     std::vector<Name> libraries;     ///< arguments of mtllib, each once
+    std::vector<Fault> faults;       ///< in the order of their first lines
 };
 
 /// Reads an OBJ file. Points, lines and groups are skipped, unknown statements reported as
-/// ignored. Indices may refer to vertices that come later. Throws InputError with the line where a
-/// number or an index is malformed, a position is not finite in float32, an index is out of range
-/// or a face has fewer than three corners.
+/// ignored. Indices may refer to vertices that come later. A vertex may have a colour, `v x y z r g
+/// b`, which is decoded from sRGB as Blender and three.js do.
+///
+/// Faults in what a picture can do without are warnings, one of each kind: normals that are not
+/// finite or zero and texture coordinates that are not finite, which placeMesh leaves out, and
+/// indices of either out of range, which become kNone; colours that are none; faces of fewer than
+/// three corners, which are skipped; vertices that no face uses and that are not finite.
+/// Throws InputError with the line where a number or an index is malformed, a position that a face
+/// uses is not finite in float32, or its index is out of range.
 ///
 /// tinyobjloader is not used here: it reads malformed numbers and NaN as 0, is silent about
 /// indices out of range, and its float32 positions would be rounded again by a transform.

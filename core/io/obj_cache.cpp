@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Counts up with each change of what readObj gives or of how it is stored.
-constexpr uint32_t kVersion = 1;
+constexpr uint32_t kVersion = 2;
 
 /// Files that are shorter are read in a millisecond.
 constexpr size_t kLeastSource = size_t(1) << 16;
@@ -84,6 +84,15 @@ public:
             text(name.text);
         }
     }
+    void faults(const std::vector<Fault>& faults) {
+        number(faults.size());
+        for (const Fault& fault : faults) {
+            number((uint64_t) fault.kind);
+            number(fault.line);
+            text(fault.message);
+            number(fault.count);
+        }
+    }
     void number(uint64_t value) { bytes_.append((const char*) &value, sizeof value); }
     std::string& bytes() { return bytes_; }
 
@@ -116,6 +125,15 @@ public:
             text(name.text);
         }
     }
+    void faults(std::vector<Fault>& faults) {
+        for (uint64_t count = number(); count > 0 && !failed_; --count) {
+            Fault& fault = faults.emplace_back();
+            fault.kind = (WarningKind) number();
+            fault.line = number();
+            text(fault.message);
+            fault.count = number();
+        }
+    }
     uint64_t number() {
         uint64_t value = 0;
         if (rest_.size() < sizeof value) {
@@ -143,7 +161,8 @@ bool isConsistent(const ObjFile& obj) {
     const auto within = [](uint32_t index, size_t count) {
         return index == ObjFile::kNone || index < count;
     };
-    return std::all_of(obj.corners.begin(), obj.corners.end(),
+    return (obj.colors.empty() || obj.colors.size() == obj.positions.size()) &&
+           std::all_of(obj.corners.begin(), obj.corners.end(),
                        [&](const ObjFile::Corner& c) {
                            return c.position < obj.positions.size() &&
                                   within(c.texcoord, obj.texcoords.size()) &&
@@ -224,12 +243,14 @@ std::string encodeCache(const ReadObj& read, std::span<const std::byte> source) 
     Writer content;
     const ObjFile& obj = read.obj;
     content.array(obj.positions);
+    content.array(obj.colors);
     content.array(obj.normals);
     content.array(obj.texcoords);
     content.array(obj.corners);
     content.array(obj.faces);
     content.names(obj.materialNames);
     content.names(obj.libraries);
+    content.faults(obj.faults);
     content.number(read.ignored.size());
     for (const std::string& name : read.ignored) content.text(name);
     const Header header = makeHeader(std::as_bytes(std::span(content.bytes())), source);
@@ -247,12 +268,14 @@ std::optional<ReadObj> decodeCache(std::span<const std::byte> cache,
     obj.file = file;
     Reader reader(content);
     reader.array(obj.positions);
+    reader.array(obj.colors);
     reader.array(obj.normals);
     reader.array(obj.texcoords);
     reader.array(obj.corners);
     reader.array(obj.faces);
     reader.names(obj.materialNames);
     reader.names(obj.libraries);
+    reader.faults(obj.faults);
     for (uint64_t count = reader.number(); count > 0; --count) {
         reader.text(read.ignored.emplace_back());
         if (read.ignored.back().empty()) return std::nullopt; // or the bytes did not last
@@ -273,6 +296,7 @@ ObjFile readObjCached(const fs::path& file, LoadReport& report) {
         read = {std::move(obj), own.ignored()};
         keepCache(places, encodeCache(*read, source));
     }
+    report.warn(file, read->obj.faults);
     for (const std::string& name : read->ignored) report.addIgnored(name);
     return std::move(read->obj);
 }

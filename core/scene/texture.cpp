@@ -1,5 +1,6 @@
 #include "core/scene/texture.h"
 
+#include "core/scene/srgb.h"
 #include "shaders/shared/texture_lookup.h"
 
 #include <cassert>
@@ -13,10 +14,7 @@ namespace {
 /// sRGB byte to linear (IEC 61966-2-1), in double and rounded once.
 std::array<float, 256> makeDecodeTable() {
     std::array<float, 256> table;
-    for (int i = 0; i < 256; ++i) {
-        const double s = i / 255.0;
-        table[(size_t) i] = (float) (s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-    }
+    for (int i = 0; i < 256; ++i) table[(size_t) i] = (float) decodeSrgb(i / 255.0);
     return table;
 }
 

@@ -99,6 +99,39 @@ TEST_F(Gltf, ReadsNormalsAndTextureCoordinates) {
     EXPECT_EQ(mesh.texcoords[0], glm::vec2(0, 1)); // v upwards here, downwards there
     EXPECT_EQ(mesh.texcoords[2], glm::vec2(0.2f, 0));
     EXPECT_EQ(loaded.ignored, std::vector<std::string>{"glTF attribute COLOR_0"});
+    ASSERT_EQ(loaded.warnings.size(), 1u);
+    EXPECT_EQ(loaded.warnings[0].text,
+              (folder_ / "a.gltf") + ": meshes[0].primitives[0] has normal 3, which is not finite: "
+                                     "triangles with it have their own");
+}
+
+/// One warning of a kind; what no triangle uses may be anything.
+TEST_F(Gltf, DoesWithoutAttributesThatAreNone) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    GltfWriter writer;
+    const size_t positions = writer.vec3({0, 0, 0, 1, 0, 0, 0, 1, 0, nan, 0, 0});
+    const size_t normals = writer.vec3({0, 0, 0, 0, 0, 0, 0, 0, 1, nan, 0, 0});
+    const size_t uvs = writer.accessor<float>("VEC2", 5126, 2, {0, nan, 0, 0, nan, 0, nan, nan});
+    writer.node(
+        {{"mesh",
+          writer.mesh(
+              {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", uvs}}},
+               {"indices", writer.indices<uint16_t>({0, 1, 2})}})}});
+    const LoadedScene loaded = load(writer);
+    const Corners none{kNoIndex, kNoIndex, kNoIndex};
+    EXPECT_EQ(loaded.scene.mesh.normalIndices, std::vector<Corners>{none});
+    EXPECT_EQ(loaded.scene.mesh.texcoordIndices, std::vector<Corners>{none});
+    EXPECT_EQ(loaded.scene.mesh.positions.size(), 3u);
+    const std::string place = (folder_ / "a.gltf") + ": meshes[0].primitives[0] has ";
+    std::vector<std::string> texts;
+    for (const Warning& warning : loaded.warnings) texts.push_back(warning.text);
+    EXPECT_EQ(
+        texts,
+        (std::vector<std::string>{
+            place + "normal 0, which has no length: triangles with it have their own (2 times)",
+            place + "texture coordinates 0, which are not finite: triangles with them have "
+                    "none (2 times)",
+            place + "position 3, which is not finite: no triangle uses it"}));
 }
 
 TEST_F(Gltf, ReadsStridesAndSparseAccessors) {

@@ -70,6 +70,33 @@ TEST_F(Load, NeedsTriangles) {
     folder_.write("d.scene", "<world><object file='b.obj'/></world>");
     for (const char* name : {"a.obj", "b.obj", "c.scene", "d.scene"})
         EXPECT_EQ(error(name), ": holds no triangles") << name;
+    folder_.write("e.obj", kTriangle.substr(0, kTriangle.find('f')) + "f 1 2\n");
+    EXPECT_EQ(error("e.obj"), ": holds no triangles (" + path("e.obj") +
+                                  ":4: a face needs 3 corners, not 2: it is skipped)");
+}
+
+/// A square whose faults nobody needs to know to show it: all are loaded with their own normals and
+/// one warning, which --strict makes an error.
+TEST_F(Load, FaultsInWhatAPictureCanDoWithoutAreWarnings) {
+    const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+    for (const char* rest : {"f 1//1 2//2 3//3 4//4\n", "vn 1.#QNAN 0 0\nf 1//1 2//1 3//1 4//1\n",
+                             "vn -nan(ind) -nan(ind) 1\nf 1//1 2//1 3//1 4//1\n",
+                             "vn 0 0 0\nf 1//1 2//1 3//1 4\n", "vt nan nan\nf 1/1 2/1 3/1 4/1\n",
+                             "vt 0 0\nf 1/0 2/0 3/0 4/0\n", "v nan nan nan\nf 1 2 3 4\n",
+                             "v 0 1e40 0\nf 1 2 3 4\n", "f 1\nf 1 2 3 4\n", "f 1 2\nf 1 2 3 4\n"}) {
+        const LoadedScene loaded = loadObj(square + rest);
+        const Corners none{kNoIndex, kNoIndex, kNoIndex};
+        EXPECT_EQ(loaded.scene.mesh.triangles, (std::vector<Corners>{{0, 1, 2}, {0, 2, 3}}))
+            << rest;
+        EXPECT_EQ(loaded.scene.mesh.normalIndices, (std::vector<Corners>{none, none})) << rest;
+        EXPECT_EQ(loaded.scene.mesh.texcoordIndices, (std::vector<Corners>{none, none})) << rest;
+        ASSERT_EQ(loaded.warnings.size(), 1u) << rest;
+        LoadOptions strict;
+        strict.strict = true;
+        EXPECT_EQ(path("test.obj") + error("test.obj", strict), loaded.warnings[0].text) << rest;
+    }
+    // As small as a normal may be.
+    EXPECT_TRUE(loadObj(square + "vn 1e-30 0 1e-30\nf 1//1 2//1 3//1\n").warnings.empty());
 }
 
 TEST_F(Load, CountsIdsThroughFacesAndTheirTriangles) {

@@ -56,9 +56,9 @@ std::string makeObj(test::Random& random, int vertices = 1500) {
     std::string text = "mtllib a.mtl\nmtllib none.mtl\ncurv 1 2\nunknown statement\n";
     char line[128];
     for (int i = 0; i < vertices; ++i) {
-        std::snprintf(line, sizeof line, "v %.17g %.9g %.9g\nvn %.9g 0 1\nvt %.9g nan\n",
+        std::snprintf(line, sizeof line, "v %.17g %.9g %.9g %.3g 0 1\nvn %.9g 0 1\nvt %.9g nan\n",
                       random.wide(-3, 3), random.uniform(-5, 5), random.uniform(-5, 5),
-                      random.uniform(-1, 1), random.uniform());
+                      random.uniform(), random.uniform(-1, 1), random.uniform());
         text += line;
     }
     for (int i = 1; i + 4 <= vertices; i += 2) {
@@ -104,7 +104,8 @@ protected:
 
 TEST_F(ObjCache, IsOffUnlessAskedFor) {
     EXPECT_FALSE(fs::exists(beside_));
-    EXPECT_EQ(plain_.warnings.size(), 6u) << "a library, a texture, four materials";
+    EXPECT_EQ(plain_.warnings.size(), 7u)
+        << "texture coordinates, a library, a texture, four materials";
     EXPECT_GE(plain_.ignored.size(), 3u);
 }
 
@@ -180,6 +181,9 @@ TEST_F(ObjCache, NonsenseIsNoticed) {
     EXPECT_FALSE(accepted(read));
     read = sound;
     read.obj.corners[5].normal = (uint32_t) read.obj.normals.size();
+    EXPECT_FALSE(accepted(read));
+    read = sound;
+    read.obj.colors.pop_back();
     EXPECT_FALSE(accepted(read));
     read = sound;
     read.obj.faces.back().corners++;

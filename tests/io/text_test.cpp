@@ -75,7 +75,8 @@ TEST(Number, ReadsEveryCommonForm) {
 }
 
 TEST(Number, KeepsWhatIsNotFiniteApart) {
-    for (const char* text : {"nan", "NaN", "-nan", "inf", "-Infinity", "1e999", "-1e999"}) {
+    for (const char* text : {"nan", "NaN", "-nan", "inf", "-Infinity", "1e999", "-1e999",
+                             "-nan(ind)", "1.#QNAN", "-1.#IND00", "+1.#INF", "1.#R"}) {
         ASSERT_TRUE(parseNumber(text)) << text;
         EXPECT_FALSE(fitsFloat(*parseNumber(text))) << text;
     }
@@ -85,7 +86,7 @@ TEST(Number, KeepsWhatIsNotFiniteApart) {
 
 TEST(Number, RefusesEverythingElse) {
     for (const char* text : {"", "+", "-", ".", "e5", "1e", "1,5", "1.2.3", "0x10", "++1", "+-1",
-                             "1f", "1 ", "3.1+e2"})
+                             "1f", "1 ", "3.1+e2", "1.#", "2.#INF", "1.#INF.", "11.#QNAN"})
         EXPECT_FALSE(parseNumber(text)) << text;
     EXPECT_EQ(parseInteger("+12"), 12);
     for (const char* text : {"", "1.5", "99999999999", "1e3", "0x1"})
