@@ -64,6 +64,15 @@ Json vectorJson(glm::vec3 v) {
     return {v.x, v.y, v.z};
 }
 
+Json materialFilesJson(const std::vector<MaterialFile>& files) {
+    Json rows = Json::array();
+    for (const MaterialFile& file : files)
+        rows.push_back({{"file", printable(file.file.string())},
+                        {"convention", nameOf(file.convention)},
+                        {"reason", file.reason}});
+    return rows;
+}
+
 Json animationJson(const Animation& animation) {
     size_t vertices = 0;
     for (const MovingPart& part : animation.parts) vertices += part.positions.size();
@@ -138,6 +147,7 @@ Json describe(const Input& input, const Backend& backend, const Executor& execut
     const SceneCounts counts = count(input);
     Json json = reportOf(input, backend, executor, build);
     json["materials"] = scene.materials.size();
+    json["material_files"] = materialFilesJson(input.materialFiles);
     json["textures"] = {{"found", counts.texturesFound},
                         {"named", counts.texturesNamed},
                         {"bytes", counts.textureBytes}};
@@ -204,6 +214,12 @@ void printScene(const Json& info) {
     printRow("triangles", countText(info["triangles"]));
     printRow("of them emissive", countText(info["emissive_triangles"]));
     printRow("materials", countText(info["materials"]));
+    std::vector<std::string> files;
+    for (const Json& row : info["material_files"])
+        files.push_back(row["file"].get<std::string>() + ": " +
+                        row["convention"].get<std::string>() + ", as " +
+                        row["reason"].get<std::string>());
+    printList("material files", files);
     printRow("textures", countText(info["textures"]["found"]) + " of " +
                              countText(info["textures"]["named"]) + " that are named, " +
                              megabytes(info["textures"]["bytes"]));

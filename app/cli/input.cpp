@@ -62,6 +62,7 @@ LoadedScene load(const CommonOptions& options, Executor& executor) {
     LoadOptions load;
     load.strict = options.strict;
     load.cache = !options.noCache;
+    load.materials = options.materials;
     load.executor = &executor;
     load.progress = [&bar](size_t done, size_t total) {
         bar.show((int64_t) done, (int64_t) total);
@@ -143,6 +144,7 @@ Input openInput(const CommonOptions& options, Executor& executor) {
     input.scene = std::move(loaded.scene);
     input.warnings = std::move(loaded.warnings);
     input.ignored = std::move(loaded.ignored);
+    input.materialFiles = std::move(loaded.materialFiles);
     moveInput(input, options, options.frame.value_or(0), executor);
     chooseStructure(input, options, loaded.settings, executor);
     return input;

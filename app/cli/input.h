@@ -4,6 +4,7 @@
 #include "core/frame/backend.h"
 #include "core/frame/executor.h"
 #include "core/io/load_report.h"
+#include "core/io/material_convention.h"
 #include "core/scene/scene.h"
 
 #include <memory>
@@ -18,9 +19,12 @@ struct Input {
     RenderSettings settings; ///< options over the scene file over the defaults
     bool tileChosen = false; ///< by the cost model, as nothing else says it
     bool binsChosen = false;
-    int frame = 0;           ///< that the scene is at
+    int frame = 0; ///< that the scene is at
     std::vector<Warning> warnings;
     std::vector<std::string> ignored; ///< names in the files that have no effect
+
+    /// How the MTL files were taken.
+    std::vector<MaterialFile> materialFiles;
 };
 
 /// The threads of \p options.

@@ -96,6 +96,11 @@ void addSettingsOptions(CLI::App& command, CommonOptions& o) {
     command.add_flag("--no-cache", o.noCache,
                      "neither read nor leave caches of models (NAME.sbin)");
     command.add_flag("--strict", o.strict, "take what the scene lacks as an error");
+    addChoice(
+        command, "--materials", {"demo", "wavefront"},
+        "what the numbers of MTL files mean (default: demo for a .scene file's, wavefront for "
+        "an .obj file's)",
+        [&o](size_t i) { o.materials = (MaterialConvention) i; });
 }
 
 RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& o) {

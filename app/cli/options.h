@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/frame/settings.h"
+#include "core/io/material_convention.h"
 #include "core/scene/camera.h"
 
 #include <cstdint>
@@ -48,6 +49,9 @@ struct CommonOptions {
     std::optional<float> verticalFov; ///< degrees
 
     std::optional<int> frame; ///< of an animated scene
+
+    /// What all MTL files are taken for.
+    std::optional<MaterialConvention> materials;
 
     unsigned threads = 0; ///< 0: all cores
     bool quiet = false;   ///< nothing on standard error but errors

@@ -1,9 +1,11 @@
 #include "core/io/load.h"
 
 #include "core/frame/move_scene.h"
+#include "core/io/error.h"
 #include "core/io/find_file.h"
 #include "core/io/scene_builder.h"
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -39,11 +41,23 @@ struct Placed {
     glm::dmat4 toSpace{1.0};
     uint32_t space = MovingSpace::kWorld;
     bool doubleSided = true;
+    MaterialChoice materials;
 };
 
-/// Reads each file once, on threads, and places what it holds as often as it is named.
-void placeModels(const std::vector<Placed>& list, bool cache, const LoadOptions& options,
-                 LoadReport& report, Scene& scene) {
+/// Option --materials, which overrides all.
+void chooseMaterials(MaterialConvention convention, const std::vector<Model>& models,
+                     std::vector<Placed>& list) {
+    const auto isObj = [](const Model& m) { return std::holds_alternative<ObjFile>(m.file); };
+    if (std::none_of(models.begin(), models.end(), isObj))
+        throw InputError("--materials has no effect: there is no OBJ file");
+    for (Placed& placed : list) placed.materials = {MaterialChoice::By::option, convention};
+}
+
+/// Reads each file once, on threads, and places what it holds as often as it is named. Returns how
+/// the MTL files were taken.
+std::vector<MaterialFile> placeModels(std::vector<Placed> list, bool cache,
+                                      const LoadOptions& options, LoadReport& report,
+                                      Scene& scene) {
     std::vector<fs::path> files;
     std::map<fs::path, size_t> places;
     for (const Placed& placed : list)
@@ -54,14 +68,31 @@ void placeModels(const std::vector<Placed>& list, bool cache, const LoadOptions&
     std::vector<Model> models(files.size());
     readAll(files.size(), executor, options.progress,
             [&](size_t i) { models[i] = readModel(files[i], cache); });
+    if (options.materials) chooseMaterials(*options.materials, models, list);
+    std::vector<SceneBuilder::Use> uses;
+    for (const Placed& placed : list)
+        uses.push_back({&models[places[placed.file]], placed.materials});
     SceneBuilder builder(scene, report);
-    builder.readTexturesAhead(models, executor, options.progress);
-    for (const Placed& placed : list) {
+    builder.readTexturesAhead(uses, executor, options.progress);
+    for (size_t i = 0; i < list.size(); ++i) {
+        const Placed& placed = list[i];
         const size_t positions = scene.mesh.positions.size(), normals = scene.mesh.normals.size();
-        builder.add(models[places[placed.file]], placed.toSpace, placed.doubleSided);
+        builder.add(uses[i], placed.toSpace, placed.doubleSided);
         if (placed.space != MovingSpace::kWorld)
             addMovingPart(scene.mesh, placed.space, positions, normals, scene.animation);
     }
+    return builder.materialFiles();
+}
+
+/// A model by itself. Other programs' materials are meant for GGX; glTF says so.
+void loadModel(const fs::path& file, const LoadOptions& options, LoadReport& report,
+               LoadedScene& loaded) {
+    loaded.materialFiles =
+        placeModels({Placed{file}}, options.cache, options, report, loaded.scene);
+    const bool isDemo = std::any_of(
+        loaded.materialFiles.begin(), loaded.materialFiles.end(),
+        [](const MaterialFile& taken) { return taken.convention == MaterialConvention::demo; });
+    if (!isDemo) loaded.scene.microfacetModel = MicrofacetModel::ggx;
 }
 
 void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport& report,
@@ -79,9 +110,11 @@ void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport&
     scene.animation = source.animation;
     std::vector<Placed> list;
     for (const SceneFile::Object& object : source.objects)
-        list.push_back(
-            {findObject(source, object), object.toSpace, object.space, object.doubleSided});
-    placeModels(list, options.cache && source.cache, options, report, scene);
+        list.push_back({findObject(source, object), object.toSpace, object.space,
+                        object.doubleSided,
+                        MaterialChoice::inSceneFile(source.materials, object.materials)});
+    loaded.materialFiles =
+        placeModels(std::move(list), options.cache && source.cache, options, report, scene);
 }
 
 /// Why there may be none.
@@ -97,7 +130,7 @@ LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
     LoadedScene loaded;
     LoadReport report(options.strict);
     if (isModelFile(file))
-        placeModels({Placed{file}}, options.cache, options, report, loaded.scene);
+        loadModel(file, options, report, loaded);
     else if (lowerCaseExtension(file) == ".scene")
         loadSceneFile(file, options, report, loaded);
     else

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "core/io/load_report.h"
+#include "core/io/material_convention.h"
 #include "core/io/read_all.h"
 #include "core/io/scene_file.h"
 #include "core/scene/scene.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,8 @@ namespace dirt {
 struct LoadOptions {
     bool strict = false; ///< what would be a warning is an InputError
     bool cache = false;  ///< OBJ files through their caches, but where a .scene file forbids it
+    /// What the MTL files of all objects are taken for; none: what the files say.
+    std::optional<MaterialConvention> materials;
     Executor* executor = nullptr; ///< whose threads read files; none: one after the other
     LoadProgress progress;        ///< of models, then of textures; may be empty
 };
@@ -26,12 +30,14 @@ struct LoadedScene {
         false; ///< whether scene.camera stands where the file says; never for a bare model
     bool hasLight = false; ///< whether scene.lights comes from the file; never for a bare model
     std::vector<Warning> warnings;
-    std::vector<std::string> ignored; ///< names of the files that have no effect, each once
+    std::vector<std::string> ignored;        ///< names of the files that have no effect, each once
+    std::vector<MaterialFile> materialFiles; ///< how the MTL files were taken
 };
 
 /// Loads a .scene, .obj, .gltf or .glb file with all that it names. Throws InputError, one line
 /// with file and line, where the input is bad: see readSceneFile, readObj and readGltf; no
-/// triangles; an object that is not there; an unknown file type.
+/// triangles; an object that is not there; an unknown file type; LoadOptions::materials where there
+/// is no OBJ file.
 LoadedScene loadScene(const std::filesystem::path& file, const LoadOptions& options = {});
 
 } // namespace dirt

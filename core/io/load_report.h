@@ -19,7 +19,9 @@ enum class WarningKind {
     unusableTexture,
     unusableAttribute, ///< of a corner or vertex: a normal, texture coordinates, a colour
     skippedGeometry,   ///< a face or a vertex that cannot be
-    precision          ///< float32 does not hold what the files say
+    precision,         ///< float32 does not hold what the files say
+    unusableValue,     ///< of a material: a number that cannot be
+    unseenMaterial     ///< a surface so transparent that it is taken as not there
 };
 
 /// Something that did not stop the load. The text is one line, "file:line: what is missing".

@@ -1,43 +1,59 @@
 #include "core/io/mtl.h"
 
+#include "core/io/mtl_map_options.h"
 #include "core/io/number.h"
 #include "core/io/text_file.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace dirt {
 
 namespace {
 
-/// An option of a texture statement and how many values it takes at least and at most. Optional
-/// values are numbers, which tells them from the file name.
-struct MapOption {
+struct ColourKey {
     std::string_view name;
-    int least, most;
+    std::optional<glm::vec3> MtlMaterial::*value;
 };
-constexpr std::array<MapOption, 13> kMapOptions{{{"-blendu", 1, 1},
-                                                 {"-blendv", 1, 1},
-                                                 {"-bm", 1, 1},
-                                                 {"-boost", 1, 1},
-                                                 {"-cc", 1, 1},
-                                                 {"-clamp", 1, 1},
-                                                 {"-imfchan", 1, 1},
-                                                 {"-mm", 2, 2},
-                                                 {"-o", 1, 3},
-                                                 {"-s", 1, 3},
-                                                 {"-t", 1, 3},
-                                                 {"-texres", 1, 1},
-                                                 {"-type", 1, 1}}};
+constexpr ColourKey kColours[] = {{"Ka", &MtlMaterial::ambient},
+                                  {"Kd", &MtlMaterial::diffuse},
+                                  {"Ks", &MtlMaterial::specular},
+                                  {"Ke", &MtlMaterial::emission}};
+
+struct NumberKey {
+    std::string_view name;
+    std::optional<float> MtlMaterial::*value;
+};
+constexpr NumberKey kNumbers[] = {
+    {"Ns", &MtlMaterial::exponent},     {"d", &MtlMaterial::opacity},
+    {"Tr", &MtlMaterial::transparency}, {"metallic", &MtlMaterial::metallic},
+    {"Pr", &MtlMaterial::roughness},    {"Pm", &MtlMaterial::metalness}};
+
+struct MapKey {
+    std::string_view name;
+    MtlUse use;
+};
+constexpr MapKey kMaps[] = {
+    {"map_Kd", MtlUse::diffuse},   {"map_Ke", MtlUse::emission}, {"map_Ks", MtlUse::specular},
+    {"map_Ns", MtlUse::exponent},  {"map_d", MtlUse::opacity},   {"map_bump", MtlUse::bump},
+    {"bump", MtlUse::bump},        {"norm", MtlUse::normal},     {"map_Kn", MtlUse::normal},
+    {"map_Pr", MtlUse::roughness}, {"map_Pm", MtlUse::metalness}};
+
+/// The entry of that name, in any letter case; null where there is none.
+template <typename Key, size_t count>
+const Key* find(const Key (&keys)[count], std::string_view name) {
+    const auto* const found = std::find_if(std::begin(keys), std::end(keys), [&](const Key& key) {
+        return equalButForCase(key.name, name);
+    });
+    return found == std::end(keys) ? nullptr : found;
+}
 
 class MtlReader {
 public:
-    MtlReader(const std::filesystem::path& file, LoadReport& report)
-        : file_(file), report_(report) {}
+    explicit MtlReader(const std::filesystem::path& file) { result_.file = file; }
 
-    std::vector<MtlMaterial> read() {
-        const std::string text = readTextFile(file_);
+    MtlFile read() {
+        const std::string text = readTextFile(result_.file);
         LineReader lines(text);
         while (lines.next()) {
             line_ = lines.number();
@@ -45,130 +61,123 @@ public:
             const std::string_view key = takeWord(arguments);
             if (!key.empty() && key[0] != '#') statement(key, trimmed(arguments));
         }
-        return std::move(materials_);
+        result_.faults = faults_.faults();
+        return std::move(result_);
     }
 
 private:
     void statement(std::string_view key, std::string_view arguments) {
-        if (key == "newmtl") {
-            materials_.emplace_back();
-            materials_.back().name = arguments;
-            materials_.back().material.name = printable(arguments);
-            return;
+        if (equalButForCase(key, "newmtl")) {
+            MtlMaterial& material = result_.materials.emplace_back();
+            material.name = arguments;
+            material.line = line_;
+        } else if (result_.materials.empty()) {
+            ignore(std::string(key));
+        } else if (const ColourKey* colourKey = find(kColours, key)) {
+            colour(*colourKey, arguments);
+        } else if (const NumberKey* numberKey = find(kNumbers, key)) {
+            number(*numberKey, arguments);
+        } else if (equalButForCase(key, "illum")) {
+            illumination(arguments);
+        } else if (const MapKey* mapKey = find(kMaps, key)) {
+            map(*mapKey, arguments);
+        } else {
+            ignore(std::string(key));
         }
-        if (materials_.empty() || (!value(key, arguments) && !map(key, arguments)))
-            report_.ignore("MTL " + std::string(key));
     }
 
-    /// False if the key is none of a value.
-    bool value(std::string_view key, std::string_view arguments) {
-        Material& material = materials_.back().material;
-        if (key == "Kd")
-            material.diffuse = colour(key, arguments);
-        else if (key == "Ke")
-            material.emission = colour(key, arguments);
-        else if (key == "Ks")
-            material.reflectance = std::min(colour(key, arguments).x, 1.0f);
-        else if (key == "Ns")
-            material.roughness = 1.0f - std::min(number(key, arguments), 127.0f) / 127.0f;
-        else if (key == "d")
-            material.opacity = std::min(number(key, arguments), 1.0f);
-        else if (key == "metallic")
-            material.metallic = std::min(number(key, arguments), 1.0f);
+    void ignore(std::string what) {
+        auto& others = result_.others;
+        if (std::find(others.begin(), others.end(), what) == others.end())
+            others.push_back(std::move(what));
+    }
+
+    void fault(std::string_view key, const std::string& what) {
+        faults_.add(WarningKind::unusableValue, key, line_,
+                    [&] { return what + "; " + std::string(key) + " counts as not there"; });
+    }
+
+    /// Nothing, and a fault, where \p word is no number from 0 that float32 holds.
+    std::optional<float> parse(std::string_view key, std::string_view word) {
+        const auto value = parseNumber(word);
+        if (!value)
+            fault(key, "malformed number " + inQuotes(word) + " in " + std::string(key));
+        else if (!fitsFloat(*value) || *value < 0.0)
+            fault(key, std::string(key) + " " + printable(word) + " is negative or not finite");
         else
-            return false;
-        return true;
-    }
-
-    /// False if the key is none of a texture.
-    bool map(std::string_view key, std::string_view arguments) {
-        MtlMaterial& target = materials_.back();
-        MtlMaterial::Map* const map = key == "map_Kd"   ? &target.diffuse
-                                      : key == "map_Ke" ? &target.emission
-                                      : key == "map_Ks" ? &target.reflectance
-                                      : key == "map_d"  ? &target.opacity
-                                      : key == "map_bump" || key == "map_Bump" || key == "bump"
-                                          ? &target.bump
-                                          : nullptr;
-        if (!map) return false;
-        *map = {fileName(key, arguments), line_};
-        return true;
+            return (float) *value;
+        return std::nullopt;
     }
 
     /// A number at the arguments' begin.
-    float number(std::string_view key, std::string_view arguments) const {
+    void number(const NumberKey& key, std::string_view arguments) {
         std::string_view word = takeWord(arguments);
         if (word == "-halo") word = takeWord(arguments);
-        const auto value = parseNumber(word);
-        if (!value)
-            failAt(file_, line_, "malformed number " + inQuotes(word) + " in " + std::string(key));
-        if (!fitsFloat(*value) || *value < 0.0)
-            failAt(file_, line_, std::string(key) + " must be finite and not negative");
-        return (float) *value;
+        const auto value = parse(key.name, word);
+        if (!value) return;
+        MtlMaterial& material = result_.materials.back();
+        material.*key.value = value;
+        if (key.value == &MtlMaterial::opacity || !material.opacity) opacityAt(key);
+    }
+
+    void opacityAt(const NumberKey& key) {
+        if (key.value == &MtlMaterial::opacity || key.value == &MtlMaterial::transparency)
+            result_.materials.back().opacityLine = line_;
     }
 
     /// Three numbers, or one for all three.
-    glm::vec3 colour(std::string_view key, std::string_view arguments) const {
-        std::array<double, 3> values{};
-        int count = 0;
+    void colour(const ColourKey& key, std::string_view arguments) {
+        std::array<float, 3> values{};
+        size_t count = 0;
         for (std::string_view word = takeWord(arguments);
              !word.empty() && word[0] != '#' && count < 3; word = takeWord(arguments)) {
-            const auto value = parseNumber(word);
-            if (!value)
-                failAt(file_, line_,
-                       "malformed number " + inQuotes(word) + " in " + std::string(key));
-            if (!fitsFloat(*value) || *value < 0.0)
-                failAt(file_, line_, std::string(key) + " must be finite and not negative");
-            values[(size_t) count++] = *value;
+            const auto value = parse(key.name, word);
+            if (!value) return;
+            values[count++] = *value;
         }
         if (count != 1 && count != 3)
-            failAt(file_, line_, std::string(key) + " needs three numbers");
+            return fault(key.name, std::string(key.name) + " needs three numbers");
         if (count == 1) values.fill(values[0]);
-        return {(float) values[0], (float) values[1], (float) values[2]};
+        result_.materials.back().*key.value = glm::vec3(values[0], values[1], values[2]);
     }
 
-    /// The rest of a texture statement after its options. It may hold blanks.
-    std::string fileName(std::string_view key, std::string_view arguments) {
-        for (;;) {
-            std::string_view rest = arguments;
-            const std::string_view word = takeWord(rest);
-            const auto option = std::find_if(kMapOptions.begin(), kMapOptions.end(),
-                                             [&](const MapOption& o) { return o.name == word; });
-            if (option == kMapOptions.end()) return std::string(trimmed(arguments));
-            if (word == "-bm" && key.ends_with("ump"))
-                bumpScale(key, rest);
-            else
-                report_.ignore("MTL " + std::string(key) + " " + std::string(word));
-            for (int i = 0; i < option->most; ++i) {
-                std::string_view after = rest;
-                const std::string_view value = takeWord(after);
-                if (i >= option->least && !parseNumber(value)) break;
-                rest = after;
-            }
-            arguments = rest;
-        }
+    /// A whole number; some files write it as 2.0.
+    void illumination(std::string_view arguments) {
+        const auto value = parse("illum", takeWord(arguments));
+        if (value) result_.materials.back().illumination = (int) std::min(*value, 1000.0f);
     }
 
-    /// -bm may turn heights over.
-    void bumpScale(std::string_view key, std::string_view arguments) {
-        const std::string_view word = takeWord(arguments);
-        const auto value = parseNumber(word);
-        if (!value || !fitsFloat(*value))
-            failAt(file_, line_,
-                   "malformed number " + inQuotes(word) + " in " + std::string(key) + " -bm");
-        materials_.back().material.bumpScale = (float) *value;
+    void map(const MapKey& key, std::string_view arguments) {
+        MtlMap map;
+        map.line = line_;
+        map.key = key.name;
+        MapOptionReader options(key.use, arguments, map);
+        options.read();
+        for (const std::string& option : options.ignored())
+            ignore(std::string(key.name) + " " + option);
+        for (const std::string& what : options.malformed())
+            faults_.add(WarningKind::unusableValue, std::string(key.name) + what, line_, [&] {
+                return "malformed " + what + " in " + std::string(key.name) + ", which is left out";
+            });
+        MtlMaterial& material = result_.materials.back();
+        if (key.use == MtlUse::bump && map.strength) material.bumpScale = map.strength;
+        material.maps[(size_t) key.use] = std::move(map);
     }
 
-    const std::filesystem::path& file_;
-    LoadReport& report_;
-    std::vector<MtlMaterial> materials_;
+    MtlFile result_;
+    FaultCounter faults_;
     size_t line_ = 0;
 };
 
 } // namespace
 
-std::vector<MtlMaterial> readMtl(const std::filesystem::path& file, LoadReport& report) {
-    return MtlReader(file, report).read();
+bool MtlFile::saysMetallic() const {
+    return std::any_of(materials.begin(), materials.end(),
+                       [](const MtlMaterial& material) { return material.metallic.has_value(); });
+}
+
+MtlFile readMtl(const std::filesystem::path& file) {
+    return MtlReader(file).read();
 }
 
 } // namespace dirt

@@ -1,75 +1,47 @@
 #include "core/io/scene_builder.h"
 
 #include "core/io/find_file.h"
+#include "core/io/mtl_material.h"
 #include "core/io/place_gltf.h"
 #include "core/io/place_mesh.h"
-#include "core/io/text_file.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 
 namespace dirt {
 
 namespace fs = std::filesystem;
 
-void SceneBuilder::readTexturesAhead(const std::vector<Model>& models, Executor& executor,
+void SceneBuilder::readTexturesAhead(std::span<const Use> uses, Executor& executor,
                                      const LoadProgress& progress) {
     Scene scene;
     LoadReport report;
     SceneBuilder announcing(scene, report);
     announcing.textures_.announce();
-    for (const Model& model : models)
-        std::visit([&](const auto& file) { announcing.resolveMaterials(file, true); }, model.file);
+    for (const Use& use : uses) announcing.resolveMaterials(use, true);
     textures_.readAhead(announcing.textures_, executor, progress);
 }
 
-void SceneBuilder::add(const Model& model, const glm::dmat4& toWorld, bool doubleSided) {
-    report_.append(model.report);
-    if (const auto* obj = std::get_if<ObjFile>(&model.file))
-        placeMesh(*obj, toWorld, resolveMaterials(*obj, doubleSided), scene_.mesh);
-    else if (const auto* gltf = std::get_if<GltfFile>(&model.file))
-        placeGltf(*gltf, toWorld, resolveMaterials(*gltf, doubleSided), scene_.mesh);
+void SceneBuilder::add(const Use& use, const glm::dmat4& toWorld, bool doubleSided) {
+    report_.append(use.model->report);
+    const std::vector<uint32_t> materials = resolveMaterials(use, doubleSided);
+    if (const auto* obj = std::get_if<ObjFile>(&use.model->file))
+        placeMesh(*obj, toWorld, materials, scene_.mesh);
+    else if (const auto* gltf = std::get_if<GltfFile>(&use.model->file))
+        placeGltf(*gltf, toWorld, materials, scene_.mesh);
 }
 
-/// Every material of the files that mtllib names; of equal names the first counts.
-SceneBuilder::Library SceneBuilder::readLibraries(const ObjFile& obj) {
-    Library library;
-    const fs::path folder = obj.file.parent_path();
-    for (const ObjFile::Name& name : obj.libraries) {
-        // A name may hold blanks; but blanks may also separate several names.
-        if (const auto whole = findFile(folder, name.text)) {
-            readLibrary(*whole, library);
-            continue;
-        }
-        std::vector<std::string> missing;
-        bool found = false;
-        std::string_view rest = name.text;
-        for (auto word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
-            if (const auto part = findFile(folder, word)) {
-                readLibrary(*part, library);
-                found = true;
-            } else {
-                missing.emplace_back(word);
-            }
-        }
-        if (!found) missing = {name.text};
-        for (const std::string& text : missing)
-            report_.warn(WarningKind::missingMaterialLibrary, obj.file, name.line,
-                         "material file " + inQuotes(text) + " not found");
-    }
-    return library;
-}
-
-void SceneBuilder::readLibrary(const fs::path& file, Library& library) {
-    for (MtlMaterial& material : readMtl(file, report_)) {
-        std::string name = material.name;
-        library.try_emplace(std::move(name), file, std::move(material));
-    }
+std::vector<uint32_t> SceneBuilder::resolveMaterials(const Use& use, bool doubleSided) {
+    if (const auto* obj = std::get_if<ObjFile>(&use.model->file))
+        return resolveMaterials(*obj, use.materials, doubleSided);
+    return resolveMaterials(std::get<GltfFile>(use.model->file), doubleSided);
 }
 
 /// For each of the file's material names its place in the scene; last, that of unnamed ones.
-std::vector<uint32_t> SceneBuilder::resolveMaterials(const ObjFile& obj, bool doubleSided) {
-    const Library library = readLibraries(obj);
+std::vector<uint32_t>
+SceneBuilder::resolveMaterials(const ObjFile& obj, const MaterialChoice& choice, bool doubleSided) {
+    const MaterialLibraries::Library library = libraries_.of(obj, choice);
     std::vector<bool> used(obj.materialNames.size() + 1, false);
     for (const ObjFile::Face& face : obj.faces)
         used[face.material == ObjFile::kNone ? used.size() - 1 : face.material] = true;
@@ -82,17 +54,16 @@ std::vector<uint32_t> SceneBuilder::resolveMaterials(const ObjFile& obj, bool do
             report_.warn(WarningKind::undefinedMaterial, obj.file, name.line,
                          "material " + inQuotes(name.text) + " is not defined");
         if (!used[i]) continue;
-        places[i] = found == library.end()
-                        ? neutralMaterial(name.text, doubleSided)
-                        : addMaterial(found->second.first, found->second.second, doubleSided);
+        places[i] = found == library.end() ? neutralMaterial(name.text, doubleSided)
+                                           : addMaterial(found->second, doubleSided);
     }
     if (used.back()) places.back() = neutralMaterial("", doubleSided);
     return places;
 }
 
 uint32_t SceneBuilder::neutralMaterial(const std::string& name, bool doubleSided) {
-    const auto [entry, isNew] = materials_.try_emplace({std::string(), name, doubleSided},
-                                                       (uint32_t) scene_.materials.size());
+    const auto [entry, isNew] = materials_.try_emplace(
+        {std::string(), name, std::nullopt, doubleSided}, (uint32_t) scene_.materials.size());
     if (isNew) {
         Material material;
         material.name = printable(name);
@@ -102,47 +73,65 @@ uint32_t SceneBuilder::neutralMaterial(const std::string& name, bool doubleSided
     return entry->second;
 }
 
-uint32_t SceneBuilder::addMaterial(const fs::path& library, const MtlMaterial& source,
-                                   bool doubleSided) {
-    const auto [entry, isNew] = materials_.try_emplace({library.string(), source.name, doubleSided},
-                                                       (uint32_t) scene_.materials.size());
-    if (!isNew) return entry->second;
-    Material material = source.material;
+uint32_t SceneBuilder::addMaterial(const MaterialLibraries::Entry& entry, bool doubleSided) {
+    const MtlMaterial& source = *entry.material;
+    const fs::path& library = entry.file->file;
+    const auto [place, isNew] =
+        materials_.try_emplace({library.string(), source.name, entry.convention, doubleSided},
+                               (uint32_t) scene_.materials.size());
+    if (!isNew) return place->second;
+    Material material = materialOf(source, entry.convention);
     material.doubleSided = doubleSided;
-    material.diffuseMap = loadTexture(library, source.diffuse);
+    warnIfUnseen(library, source, material.opacity);
+    material.diffuseMap = loadTexture(library, source.map(MtlUse::diffuse));
     // Kd says nothing of what the texture would have shown; often it is black.
-    if (!source.diffuse.file.empty() && material.diffuseMap == kNoTexture)
+    if (!source.map(MtlUse::diffuse).file.empty() && material.diffuseMap == kNoTexture)
         material.diffuse = Material().diffuse;
-    material.emissionMap = loadTexture(library, source.emission);
-    material.reflectanceMap = loadScalars(library, source.reflectance);
-    material.bumpMap = loadScalars(library, source.bump);
+    material.emissionMap = loadTexture(library, source.map(MtlUse::emission));
+    material.reflectanceMap = loadScalars(library, source.map(MtlUse::specular));
+    material.bumpMap = loadScalars(library, source.map(MtlUse::bump));
     material.opacityMap = loadOpacity(library, source);
     scene_.materials.push_back(std::move(material));
-    return entry->second;
+    return place->second;
+}
+
+/// A number that says how transparent a surface is may well hide all of a model.
+void SceneBuilder::warnIfUnseen(const fs::path& library, const MtlMaterial& source, float opacity) {
+    if (opacity == 1.0f) return;
+    char number[32];
+    std::snprintf(number, sizeof number, "%g", source.opacity ? opacity : 1.0f - opacity);
+    const std::string said = std::string(source.opacity ? "d " : "Tr ") + number;
+    if (opacity < 0.5f)
+        report_.warn(WarningKind::unseenMaterial, library, source.opacityLine,
+                     "material " + inQuotes(source.name) + " has " + said +
+                         ": more transparent than not, it is not shown at all");
+    else
+        report_.ignore("MTL d from 1/2 to 1, taken as opaque");
 }
 
 /// The file that a texture statement of \p library names.
-TextureLoader::Source SceneBuilder::sourceOf(const fs::path& library, const MtlMaterial::Map& map) {
+TextureLoader::Source SceneBuilder::sourceOf(const fs::path& library, const MtlMap& map) {
     const auto file = findFile(library.parent_path(), map.file);
     return {file ? std::optional<ImageFile>(*file) : std::nullopt, map.file, library, map.line};
 }
 
-uint32_t SceneBuilder::loadTexture(const fs::path& library, const MtlMaterial::Map& map) {
+uint32_t SceneBuilder::loadTexture(const fs::path& library, const MtlMap& map) {
     return map.file.empty() ? kNoTexture : textures_.colour(sourceOf(library, map));
 }
 
-uint32_t SceneBuilder::loadScalars(const fs::path& library, const MtlMaterial::Map& map) {
+uint32_t SceneBuilder::loadScalars(const fs::path& library, const MtlMap& map) {
     return map.file.empty() ? kNoTexture : textures_.data(sourceOf(library, map));
 }
 
 /// The alpha of map_d, else map_d itself; without one, the alpha of map_Kd.
 uint32_t SceneBuilder::loadOpacity(const fs::path& library, const MtlMaterial& source) {
-    const auto loadAlpha = [&](const MtlMaterial::Map& map) {
+    const MtlMap& opacity = source.map(MtlUse::opacity);
+    const auto loadAlpha = [&](const MtlMap& map) {
         return map.file.empty() ? kNoTexture : textures_.alpha(sourceOf(library, map));
     };
-    if (source.opacity.file.empty()) return loadAlpha(source.diffuse);
-    const uint32_t alpha = loadAlpha(source.opacity);
-    return alpha != kNoTexture ? alpha : loadScalars(library, source.opacity);
+    if (opacity.file.empty()) return loadAlpha(source.map(MtlUse::diffuse));
+    const uint32_t alpha = loadAlpha(opacity);
+    return alpha != kNoTexture ? alpha : loadScalars(library, opacity);
 }
 
 /// For each of the file's surfaces its place in the scene; last, that of none.
@@ -160,7 +149,7 @@ std::vector<uint32_t> SceneBuilder::resolveMaterials(const GltfFile& gltf, bool 
 
 uint32_t SceneBuilder::addSurface(const GltfFile& gltf, size_t index, bool doubleSided) {
     const auto [entry, isNew] = materials_.try_emplace(
-        {gltf.file.string(), "materials[" + std::to_string(index) + "]", doubleSided},
+        {gltf.file.string(), "materials[" + std::to_string(index) + "]", std::nullopt, doubleSided},
         (uint32_t) scene_.materials.size());
     if (!isNew) return entry->second;
     const GltfFile::Surface& surface = gltf.surfaces[index];

@@ -19,6 +19,7 @@ constexpr SceneAttribute kHonoured[] = {
     {"world", "background"},
     {"world", "fps"},
     {"world", "microfacet_model"},
+    {"world", "materials"},
     {"world", "binary_loading"},
     {"directory", "path"},
     {"tracing", "faces"},
@@ -64,6 +65,7 @@ constexpr SceneAttribute kHonoured[] = {
     {"transformation", "translation"},
     {"object", "file"},
     {"object", "double_sided"},
+    {"object", "materials"},
     {"tonemapping", "key"},
     {"tonemapping", "white"},
 };
@@ -83,6 +85,7 @@ public:
         scene_.background = attributes.colour("background").value_or(scene_.background);
         scene_.animation.fps = attributes.real("fps", 0.001, 1e5).value_or(scene_.animation.fps);
         microfacetModel(attributes, root);
+        scene_.materials = materials(attributes, root);
         scene_.cache = attributes.boolean("binary_loading").value_or(scene_.cache);
         for (const pugi::xml_node child : root.children()) worldChild(child);
         return std::move(scene_);
@@ -98,6 +101,16 @@ private:
             xml_.fail(root, "microfacet_model=" + inQuotes(*name) +
                                 " is none of beckmann, ggx, cooktorrance, phong");
         scene_.microfacetModel = (MicrofacetModel) (found - std::begin(kNames));
+    }
+
+    std::optional<MaterialConvention> materials(const XmlAttributes& attributes,
+                                                pugi::xml_node node) const {
+        const auto name = attributes.text("materials");
+        if (!name) return std::nullopt;
+        const auto convention = parseMaterialConvention(*name);
+        if (!convention)
+            xml_.fail(node, "materials=" + inQuotes(*name) + " is neither demo nor wavefront");
+        return convention;
     }
 
     void worldChild(pugi::xml_node node) {
@@ -299,7 +312,8 @@ private:
         const auto file = attributes.text("file");
         if (!file || trimmed(*file).empty()) xml_.fail(node, "file is missing");
         scene_.objects.push_back({*file, xml_.line(node), place.toSpace, place.space,
-                                  attributes.boolean("double_sided").value_or(true)});
+                                  attributes.boolean("double_sided").value_or(true),
+                                  materials(attributes, node)});
         ignoreChildren(node);
     }
 

@@ -2,6 +2,7 @@
 
 #include "core/frame/settings.h"
 #include "core/io/load_report.h"
+#include "core/io/material_convention.h"
 #include "core/scene/scene.h"
 
 #include <cstddef>
@@ -34,6 +35,7 @@ struct SceneFile {
         glm::dmat4 toSpace{1.0};              ///< of a moving space, or of the world
         uint32_t space = MovingSpace::kWorld; ///< into animation.spaces
         bool doubleSided = true;              ///< else as Material::doubleSided, and glTF, have it
+        std::optional<MaterialConvention> materials; ///< of its MTL files
     };
 
     std::filesystem::path file;
@@ -44,6 +46,7 @@ struct SceneFile {
     std::optional<Spotlight> light;
     glm::vec3 background{0.0f};
     MicrofacetModel microfacetModel = MicrofacetModel::beckmann;
+    std::optional<MaterialConvention> materials; ///< of objects that do not say
     ToneMapping toneMapping;
     Animation animation; ///< without parts
     bool cache = true;   ///< binary_loading: whether models may be read through caches

@@ -97,4 +97,10 @@ std::string_view takeWord(std::string_view& text) {
     return word;
 }
 
+bool equalButForCase(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? (char) (c - 'A' + 'a') : c; };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](char c, char d) { return lower(c) == lower(d); });
+}
+
 } // namespace dirt

@@ -57,4 +57,7 @@ std::string_view trimmed(std::string_view text);
 /// Takes the next word, up to a blank, off the front of \p text; empty where none is left.
 std::string_view takeWord(std::string_view& text);
 
+/// Whether two texts are the same but for the case of ASCII letters.
+bool equalButForCase(std::string_view a, std::string_view b);
+
 } // namespace dirt

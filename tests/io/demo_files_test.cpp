@@ -120,8 +120,7 @@ protected:
         if (IsSkipped()) return;
         test::Random random(1);
         for (const fs::path& file : demoFiles(".mtl")) {
-            LoadReport report;
-            const auto materials = readMtl(file, report);
+            const auto materials = readMtl(file).materials;
             EXPECT_FALSE(materials.empty()) << file;
             std::string obj = "mtllib " + file.filename().string() + "\n";
             for (const MtlMaterial& material : materials)

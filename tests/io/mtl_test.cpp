@@ -1,3 +1,5 @@
+// MTL files as they are written. What their materials mean is in mtl_material_test.cpp.
+
 #include "core/io/mtl.h"
 #include "tests/io/input_error.h"
 #include "tests/support/temporary_folder.h"
@@ -10,73 +12,96 @@
 namespace dirt {
 namespace {
 
+using Strings = std::vector<std::string>;
+
 class Mtl : public testing::Test {
 protected:
-    std::vector<MtlMaterial> read(const std::string& text) {
-        return readMtl(folder_.write("test.mtl", text), report_);
+    MtlFile readFile(const std::string& text) { return readMtl(folder_.write("test.mtl", text)); }
+    std::vector<MtlMaterial> read(const std::string& text) { return readFile(text).materials; }
+    /// The texture statement of one material with that line.
+    MtlMap map(const std::string& line, MtlUse use) {
+        return read("newmtl a\n" + line + "\n").at(0).map(use);
     }
     std::string mapOf(const std::string& arguments) {
-        return read("newmtl a\nmap_Kd " + arguments + "\n").at(0).diffuse.file;
+        return map("map_Kd " + arguments, MtlUse::diffuse).file;
     }
-    std::string error(const std::string& text) {
-        const std::string file = folder_.write("test.mtl", text);
-        const std::string what = inputError([&] { readMtl(file, report_); });
-        return what.empty() ? what : what.substr(file.size());
+    /// "line: message" of each fault.
+    Strings faults(const std::string& text) {
+        Strings texts;
+        for (const Fault& fault : readFile(text).faults)
+            texts.push_back(std::to_string(fault.line) + ": " + fault.message);
+        return texts;
     }
 
     test::TemporaryFolder folder_;
-    LoadReport report_;
 };
 
 TEST_F(Mtl, ReadsColoursAndTexture) {
-    const auto materials = read("# comment\nnewmtl first one \n\tKd 0.1 0.2 0.3\r\n\tKe 1 2 30\n"
-                                "newmtl\nKd 0.5 # grey\n map_Kd maps\\wood 1.png \n");
+    const MtlFile file = readFile("# comment\nnewmtl first one \n\tKd 0.1 0.2 0.3\r\n\tKe 1 2 30\n"
+                                  "newmtl\nKd 0.5 # grey\n map_Kd maps\\wood 1.png \n");
+    const auto& materials = file.materials;
     ASSERT_EQ(materials.size(), 2u);
     EXPECT_EQ(materials[0].name, "first one");
-    EXPECT_EQ(materials[0].material.diffuse, glm::vec3(0.1f, 0.2f, 0.3f));
-    EXPECT_EQ(materials[0].material.emission, glm::vec3(1, 2, 30));
-    EXPECT_EQ(materials[0].diffuse.file, "");
+    EXPECT_EQ(materials[0].line, 2u);
+    EXPECT_EQ(materials[0].diffuse, glm::vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(materials[0].emission, glm::vec3(1, 2, 30));
+    EXPECT_EQ(materials[0].specular, std::nullopt);
+    EXPECT_EQ(materials[0].map(MtlUse::diffuse).file, "");
     EXPECT_EQ(materials[1].name, "");
-    EXPECT_EQ(materials[1].material.diffuse, glm::vec3(0.5f));
-    EXPECT_EQ(materials[1].diffuse.file, "maps\\wood 1.png");
-    EXPECT_EQ(materials[1].diffuse.line, 7u);
-    EXPECT_TRUE(report_.ignored().empty());
+    EXPECT_EQ(materials[1].diffuse, glm::vec3(0.5f));
+    EXPECT_EQ(materials[1].map(MtlUse::diffuse).file, "maps\\wood 1.png");
+    EXPECT_EQ(materials[1].map(MtlUse::diffuse).line, 7u);
+    EXPECT_TRUE(file.others.empty());
+    EXPECT_TRUE(file.faults.empty());
 }
 
-TEST_F(Mtl, ReadsGlossAndItsTextures) {
-    const auto materials = read("newmtl a\nKs 0.25 0.5 1\n Ns 63.5\nmetallic 1.0\nd 0.25\n"
-                                "map_Ks maps\\s.jpg\nmap_Ke e.png\nmap_d d.png\n"
-                                "bump other.png\nmap_bump -bm -0.5 b.png\nnewmtl b\nKs 2\n"
-                                "Ns 900\nmetallic 7\nd -halo 1.5\nnewmtl c\n");
-    ASSERT_EQ(materials.size(), 3u);
-    const MtlMaterial& a = materials[0];
-    EXPECT_EQ(a.material.reflectance, 0.25f);
-    EXPECT_EQ(a.material.roughness, 0.5f);
-    EXPECT_EQ(a.material.metallic, 1.0f);
-    EXPECT_EQ(a.material.opacity, 0.25f);
-    EXPECT_EQ(a.material.bumpScale, -0.5f);
-    EXPECT_EQ(a.reflectance.file, "maps\\s.jpg");
-    EXPECT_EQ(a.emission.file, "e.png");
-    EXPECT_EQ(a.opacity.file, "d.png");
-    EXPECT_EQ(a.bump.file, "b.png");
-    EXPECT_EQ(a.bump.line, 10u);
-    EXPECT_EQ(materials[1].material.reflectance, 1.0f);
-    EXPECT_EQ(materials[1].material.roughness, 0.0f);
-    EXPECT_EQ(materials[1].material.metallic, 1.0f);
-    EXPECT_EQ(materials[1].material.opacity, 1.0f);
-    EXPECT_EQ(materials[2].material.reflectance, 0.0f);
-    EXPECT_EQ(materials[2].material.roughness, 1.0f);
-    EXPECT_EQ(materials[2].bump.file, "");
-    EXPECT_TRUE(report_.ignored().empty());
+TEST_F(Mtl, ReadsEveryKey) {
+    const MtlFile file =
+        readFile("newmtl a\nKa .1 .2 .3\nKs 0.25 0.5 1\nNs 63.5\nd -halo 0.25\nTr 0.75\n"
+                 "metallic 2\nPr .5\nPm 1\nillum 3\nmap_Ks s.png\nmap_Ke e.png\nmap_Ns n.png\n"
+                 "map_d d.png\nbump other.png\nmap_bump -bm -0.5 b.png\nnorm k.png\n"
+                 "map_Pr r.png\nmap_Pm m.png\n");
+    const MtlMaterial& a = file.materials.at(0);
+    EXPECT_EQ(a.ambient, glm::vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(a.specular, glm::vec3(0.25f, 0.5f, 1.0f));
+    EXPECT_EQ(a.exponent, 63.5f);
+    EXPECT_EQ(a.opacity, 0.25f);
+    EXPECT_EQ(a.opacityLine, 5u);
+    EXPECT_EQ(a.transparency, 0.75f);
+    EXPECT_EQ(a.metallic, 2.0f);
+    EXPECT_TRUE(file.saysMetallic());
+    EXPECT_EQ(a.roughness, 0.5f);
+    EXPECT_EQ(a.metalness, 1.0f);
+    EXPECT_EQ(a.illumination, 3);
+    EXPECT_EQ(a.bumpScale, -0.5f);
+    const char* files[] = {"",      "e.png", "s.png", "n.png", "d.png",
+                           "b.png", "k.png", "r.png", "m.png"};
+    for (size_t use = 0; use < a.maps.size(); ++use) EXPECT_EQ(a.maps[use].file, files[use]);
+    EXPECT_EQ(a.map(MtlUse::bump).line, 16u);
+    EXPECT_EQ(a.map(MtlUse::bump).key, "map_bump");
+    EXPECT_TRUE(file.others.empty());
+    EXPECT_FALSE(readFile("newmtl metallic\nKs 1\n").saysMetallic());
+    EXPECT_EQ(map("map_Kn n.png", MtlUse::normal).file, "n.png");
 }
 
-TEST_F(Mtl, NamesAreLookedUpAsTheyAreAndShownAsUtf8) {
-    const auto materials = read("newmtl d\xfcster\n");
-    EXPECT_EQ(materials.at(0).name, "d\xfcster");
-    EXPECT_EQ(materials.at(0).material.name, "d?ster");
+TEST_F(Mtl, TakesKeysInAnyLetterCase) {
+    const MtlMaterial a = read("NewMTL a\nkd 1 0 0\nNS 5\nTR 0\nMAP_KD a.png\nmap_Bump b.png\n"
+                               "ILLUM 2.0\nNorm -BM 2 n.png\n")
+                              .at(0);
+    EXPECT_EQ(a.diffuse, glm::vec3(1, 0, 0));
+    EXPECT_EQ(a.exponent, 5.0f);
+    EXPECT_EQ(a.transparency, 0.0f);
+    EXPECT_EQ(a.illumination, 2);
+    EXPECT_EQ(a.map(MtlUse::diffuse).file, "a.png");
+    EXPECT_EQ(a.map(MtlUse::bump).file, "b.png");
+    EXPECT_EQ(a.map(MtlUse::normal).strength, 2.0f);
 }
 
-TEST_F(Mtl, SkipsTheOptionsOfTextures) {
+TEST_F(Mtl, KeepsNamesAsTheyAre) {
+    EXPECT_EQ(read("newmtl d\xfcster\n").at(0).name, "d\xfcster");
+}
+
+TEST_F(Mtl, TellsOptionsFromFileNames) {
     EXPECT_EQ(mapOf("-s 2 3 4 a.png"), "a.png");
     EXPECT_EQ(mapOf("-s 2 a.png"), "a.png");
     EXPECT_EQ(mapOf("-o 0.5 1 my file.png"), "my file.png");
@@ -84,25 +109,85 @@ TEST_F(Mtl, SkipsTheOptionsOfTextures) {
     EXPECT_EQ(mapOf("-mm 0 1 -blendu off -texres 512 -t 1 1 1 a.png"), "a.png");
     EXPECT_EQ(mapOf("-my-own.png"), "-my-own.png");
     EXPECT_EQ(mapOf("7.png"), "7.png");
-    EXPECT_EQ(report_.ignored().front(), "MTL map_Kd -s");
+    EXPECT_EQ(mapOf("-clamp on \"my file.png\""), "my file.png");
+    EXPECT_EQ(mapOf("-clamp on"), "");
+    EXPECT_EQ(mapOf("-s"), "");
 }
 
-TEST_F(Mtl, ListsKeysWithoutEffectOnce) {
-    read("newmtl a\nNi 1.5\nunheard of\nnewmtl b\nNi 1\n");
-    EXPECT_EQ(report_.ignored(), (std::vector<std::string>{"MTL Ni", "MTL unheard"}));
+TEST_F(Mtl, ReadsTheOptionsOfTextures) {
+    const MtlMap all = map("map_Pr -s 2 3 4 -o 0.5 -0.25 -clamp on -imfchan G -colorspace linear "
+                           "r.png",
+                           MtlUse::roughness);
+    EXPECT_EQ(all.file, "r.png");
+    EXPECT_EQ(all.scale, glm::vec2(2, 3));
+    EXPECT_EQ(all.offset, glm::vec2(0.5f, -0.25f));
+    EXPECT_TRUE(all.clamps);
+    EXPECT_EQ(all.channel, 'g');
+    EXPECT_EQ(all.encoding, MtlMap::Encoding::linear);
+    const MtlMap one = map("map_Kd -s 2 -o 1 -clamp off -colorspace sRGB a.png", MtlUse::diffuse);
+    EXPECT_EQ(one.scale, glm::vec2(2, 1));
+    EXPECT_EQ(one.offset, glm::vec2(1, 0));
+    EXPECT_FALSE(one.clamps);
+    EXPECT_EQ(one.encoding, MtlMap::Encoding::srgb);
+    const MtlMap none = map("map_d a.png", MtlUse::opacity);
+    EXPECT_EQ(none.scale, glm::vec2(1, 1));
+    EXPECT_EQ(none.offset, glm::vec2(0, 0));
+    EXPECT_EQ(none.channel, 0);
+    EXPECT_EQ(none.encoding, MtlMap::Encoding::usual);
+    EXPECT_EQ(none.strength, std::nullopt);
 }
 
-TEST_F(Mtl, RefusesMalformedColours) {
-    EXPECT_EQ(error("newmtl a\nKd 1 x 1\n"), ":2: malformed number 'x' in Kd");
-    EXPECT_EQ(error("newmtl a\nKd 1 1\n"), ":2: Kd needs three numbers");
-    EXPECT_EQ(error("newmtl a\n\nKe\n"), ":3: Ke needs three numbers");
-    EXPECT_EQ(error("newmtl a\nNs x\n"), ":2: malformed number 'x' in Ns");
-    EXPECT_EQ(error("newmtl a\nmetallic -1\n"), ":2: metallic must be finite and not negative");
-    EXPECT_EQ(error("newmtl a\nbump -bm x a.png\n"), ":2: malformed number 'x' in bump -bm");
+TEST_F(Mtl, ListsWhatHasNoEffectOnce) {
+    const MtlFile file = readFile(
+        "Kd 1 1 1\nnewmtl a\nNi 1.5\nunheard of\nnewmtl b\nNi 1\nmap_Kd -blendu off -mm 0 1 "
+        "-imfchan r -bm 2 a.png\nmap_Pr -imfchan z -colorspace acescg -type sphere b.png\n"
+        "norm -colorspace sRGB -imfchan r n.png\n");
+    EXPECT_EQ(file.others,
+              (Strings{"Kd", "Ni", "unheard", "map_Kd -blendu", "map_Kd -mm", "map_Kd -imfchan",
+                       "map_Kd -bm", "map_Pr -imfchan z", "map_Pr -colorspace acescg",
+                       "map_Pr -type", "norm -colorspace", "norm -imfchan"}));
+    EXPECT_EQ(file.materials[0].diffuse, std::nullopt);
+}
+
+/// A model is not refused for a number of its materials.
+TEST_F(Mtl, CountsValuesThatCannotBe) {
+    const std::string gone = " counts as not there";
+    EXPECT_EQ(faults("newmtl a\nKd 1 x 1\n"), Strings{"2: malformed number 'x' in Kd; Kd" + gone});
+    EXPECT_EQ(faults("newmtl a\nKd 1 1\n"), Strings{"2: Kd needs three numbers; Kd" + gone});
+    EXPECT_EQ(faults("newmtl a\n\nKe\n"), Strings{"3: Ke needs three numbers; Ke" + gone});
+    EXPECT_EQ(faults("newmtl a\nNs x\n"), Strings{"2: malformed number 'x' in Ns; Ns" + gone});
+    EXPECT_EQ(faults("newmtl a\nillum\n"),
+              Strings{"2: malformed number '' in illum; illum" + gone});
     for (const char* number : {"nan", "inf", "-0.1", "1e39"})
-        EXPECT_EQ(error(std::string("newmtl a\nKe 1 1 ") + number + "\n"),
-                  ":2: Ke must be finite and not negative")
-            << number;
+        EXPECT_EQ(
+            faults(std::string("newmtl a\nKe 1 1 ") + number + "\n"),
+            Strings{std::string("2: Ke ") + number + " is negative or not finite; Ke" + gone});
+    const MtlFile file = readFile("newmtl a\nKd 1 0 0\nKd 1.#QNAN 0 0\nNs 5\nnewmtl b\nKd -1 0 0\n"
+                                  "Kd 1.#QNAN 0 0\n");
+    EXPECT_EQ(file.materials[0].diffuse, glm::vec3(1, 0, 0));
+    EXPECT_EQ(file.materials[0].exponent, 5.0f);
+    EXPECT_EQ(file.materials[1].diffuse, std::nullopt);
+    ASSERT_EQ(file.faults.size(), 1u);
+    EXPECT_EQ(file.faults[0].line, 3u);
+    EXPECT_EQ(file.faults[0].count, 3u);
+}
+
+TEST_F(Mtl, LeavesOutOptionsThatCannotBeRead) {
+    EXPECT_EQ(faults("newmtl a\nbump -bm x a.png\n"),
+              Strings{"2: malformed number 'x' of -bm in bump, which is left out"});
+    const MtlFile file = readFile("newmtl a\nmap_Kd -o inf 1 -clamp maybe -s 2 1 a.png\n");
+    ASSERT_EQ(file.faults.size(), 2u);
+    EXPECT_EQ(file.faults[0].message, "malformed number 'inf' of -o in map_Kd, which is left out");
+    EXPECT_EQ(file.faults[1].message, "malformed 'maybe' of -clamp in map_Kd, which is left out");
+    const MtlMap& map = file.materials[0].map(MtlUse::diffuse);
+    EXPECT_EQ(map.offset, glm::vec2(0, 0));
+    EXPECT_EQ(map.scale, glm::vec2(2, 1));
+    EXPECT_EQ(map.file, "a.png");
+}
+
+TEST_F(Mtl, RefusesWhatIsNoText) {
+    const std::string file = folder_.write("test.mtl", std::string("newmtl a\nKd\0 1\n", 16));
+    EXPECT_EQ(inputError([&] { readMtl(file); }), file + ":2: holds a NUL byte: not a text file");
 }
 
 } // namespace
