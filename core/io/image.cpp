@@ -2,6 +2,8 @@
 
 #include "core/io/error.h"
 #include "core/io/image_encoder.h"
+#include "core/io/image_reader.h"
+#include "core/io/text_file.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,23 +15,12 @@ namespace dirt {
 
 namespace {
 
-/// One line of what OpenImageIO has to say.
-std::string firstLine(const std::string& text) {
-    return text.substr(0, text.find('\n'));
-}
-
 void encode(const std::string& path, const char* format, OIIO::ImageSpec spec,
             const ImageMetadata& metadata, const void* pixels) {
     describeImage(spec, metadata);
     writeEncoded(path, format, [&](OIIO::ImageOutput& output, const std::string& name) {
         return output.open(name, spec) && output.write_image(spec.format, pixels) && output.close();
     });
-}
-
-std::unique_ptr<OIIO::ImageInput> openImage(const std::string& path) {
-    auto input = OIIO::ImageInput::open(path);
-    if (!input) throw InputError(path + ": cannot read: " + firstLine(OIIO::geterror()));
-    return input;
 }
 
 } // namespace
@@ -58,18 +49,17 @@ void writeExr(const std::string& path, const Image& image, const ImageMetadata& 
 }
 
 Image readImage(const std::string& path) {
-    const auto input = openImage(path);
-    const OIIO::ImageSpec spec = input->spec();
+    ImageReader reader(readBytes(path), path);
+    const OIIO::ImageSpec& spec = reader.spec();
     int first = spec.channelindex("R");
     const bool colored =
         first >= 0 && spec.channelindex("G") == first + 1 && spec.channelindex("B") == first + 2;
     if (!colored) first = spec.channelindex("Y");
-    if (first < 0 || spec.deep || spec.channelformat(first).basetype == OIIO::TypeDesc::UINT)
+    if (first < 0 || spec.channelformat(first).basetype == OIIO::TypeDesc::UINT)
         throw InputError(path + ": not an image: it has no channels R, G, B or Y");
     const int channels = colored ? 3 : 1;
-    std::vector<float> values((size_t) spec.width * spec.height * channels);
-    if (!input->read_image(0, 0, first, first + channels, OIIO::TypeDesc::FLOAT, values.data()))
-        throw InputError(path + ": cannot read: " + firstLine(input->geterror()));
+    std::vector<float> values((size_t) spec.width * (size_t) spec.height * (size_t) channels);
+    reader.read(first, first + channels, OIIO::TypeDesc::FLOAT, values.data());
 
     Image image{spec.width, spec.height, std::vector<glm::vec3>((size_t) spec.width * spec.height)};
     for (size_t i = 0; i < image.pixels.size(); ++i)
@@ -78,9 +68,9 @@ Image readImage(const std::string& path) {
 }
 
 ImageMetadata readMetadata(const std::string& path) {
-    const auto input = openImage(path);
+    const ImageReader reader(readBytes(path), path);
     ImageMetadata metadata;
-    for (const OIIO::ParamValue& value : input->spec().extra_attribs)
+    for (const OIIO::ParamValue& value : reader.spec().extra_attribs)
         if (value.name().string().rfind("dirt:", 0) == 0)
             metadata.emplace_back(value.name().string(), value.get_string());
     return metadata;

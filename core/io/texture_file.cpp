@@ -1,7 +1,7 @@
 #include "core/io/texture_file.h"
 
+#include "core/io/image_reader.h"
 #include "core/io/load_report.h"
-#include "core/io/png_file.h"
 #include "core/io/text_file.h"
 
 #include <cfloat>
@@ -13,27 +13,16 @@
 #include <utility>
 #include <vector>
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 namespace dirt {
 
 namespace {
 
-/// Texels of the largest texture that is read: a damaged header must not cost all memory.
-constexpr int64_t kMaxTexels = int64_t(1) << 28;
-
 bool isFloat(OIIO::TypeDesc type) {
     return type == OIIO::TypeDesc::HALF || type == OIIO::TypeDesc::FLOAT ||
            type == OIIO::TypeDesc::DOUBLE;
 }
-
-/// Without this, colours come back multiplied by alpha.
-const OIIO::ImageSpec kConfig = [] {
-    OIIO::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1);
-    return config;
-}();
 
 template <typename Channel>
 const OIIO::TypeDesc kType = OIIO::TypeDesc::UINT8;
@@ -42,39 +31,11 @@ const OIIO::TypeDesc kType<float> = OIIO::TypeDesc::FLOAT;
 
 } // namespace
 
-/// A file opened as an image that is not absurd, and its texels when they are first asked for.
+/// An opened image, and its texels when they are first asked for.
 struct DecodedImage::Pixels {
-    explicit Pixels(const ImageFile& file) : name(file.name) {
-        bytes = file.bytes ? *file.bytes : readBytes(name);
-        if (isPng(bytes)) {
-            bytes = essentialPng(bytes, name);
-            openBytes("png");
-        } else if (!file.bytes) {
-            input = OIIO::ImageInput::open(name.string(), &kConfig);
-        } else if (bytes.starts_with("\xff\xd8")) {
-            openBytes("jpeg");
-        } else {
-            failAt(name, 0, "is neither PNG nor JPEG");
-        }
-        if (!input) failAt(name, 0, "no readable image: " + printable(OIIO::geterror()));
-        spec = input->spec();
-        if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 || spec.deep)
-            failAt(name, 0, "not a flat image");
-        const int64_t texels = (int64_t) spec.width * spec.height;
-        if (texels > kMaxTexels || texels * spec.nchannels > 4 * kMaxTexels)
-            failAt(name, 0,
-                   "an image of " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
-                       (texels > kMaxTexels ? "" : " with as many channels") + " is too large");
-    }
-
-    void openBytes(const char* format) {
-        memory.emplace(bytes.data(), bytes.size());
-        input = OIIO::ImageInput::create(format);
-        OIIO::ImageSpec ignored;
-        if (input &&
-            !(input->set_ioproxy(&*memory) && input->open(name.string(), ignored, kConfig)))
-            failAt(name, 0, "no readable image: " + printable(input->geterror()));
-    }
+    explicit Pixels(const ImageFile& file)
+        : reader(file.bytes ? *file.bytes : readBytes(file.name), file.name), name(reader.name()),
+          spec(reader.spec()) {}
 
     /// All channels of every texel.
     template <typename Channel>
@@ -83,8 +44,7 @@ struct DecodedImage::Pixels {
         if (!texels.empty()) return texels;
         std::vector<Channel> read((size_t) spec.width * (size_t) spec.height *
                                   (size_t) spec.nchannels);
-        if (!input->read_image(0, 0, 0, spec.nchannels, kType<Channel>, read.data()))
-            failAt(name, 0, "damaged image: " + printable(input->geterror()));
+        reader.read(0, spec.nchannels, kType<Channel>, read.data());
         return texels = std::move(read);
     }
 
@@ -121,11 +81,9 @@ struct DecodedImage::Pixels {
         return ScalarTexture(name.string(), spec.width, spec.height, std::move(texels));
     }
 
-    std::filesystem::path name;
-    std::string bytes;
-    std::optional<OIIO::Filesystem::IOMemReader> memory; ///< of bytes
-    std::unique_ptr<OIIO::ImageInput> input;             ///< reads from memory, or the file
-    OIIO::ImageSpec spec;
+    ImageReader reader;
+    const std::filesystem::path& name;
+    const OIIO::ImageSpec& spec;
     std::tuple<std::vector<uint8_t>, std::vector<float>> decoded;
 };
 

@@ -14,7 +14,7 @@
 
 namespace dirt {
 
-/// An image: a file, or the bytes of a PNG or JPEG file with a name that stands for the file's.
+/// An image: a file, or the bytes of one with a name that stands for the file's.
 struct ImageFile {
     template <typename Path>
     requires std::convertible_to<Path, std::filesystem::path> ImageFile(const Path& file)

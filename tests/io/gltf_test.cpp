@@ -296,7 +296,8 @@ TEST_F(Gltf, UnusableImagesAreWarnings) {
         0u);
     EXPECT_EQ(warning({{"uri", "data:image/png;base64,AAAA"}}),
               folder_ / "a.gltf: texture 'images[0]': " + (folder_ / "a.gltf/images[0]") +
-                  ": is neither PNG nor JPEG");
+                  ": is none of the images that are read: PNG, JPEG, OpenEXR, Radiance HDR, TIFF, BMP, "
+                  "TGA, WebP, DDS, PNM and PFM");
     const std::string file = folder_ / "a.gltf";
     EXPECT_NE(inputError([&] { loadScene(file, {.strict = true}); }), "");
 }

@@ -147,13 +147,58 @@ TEST(TextureFile, NamesWhatIsWrongWithAPng) {
         EXPECT_EQ(errorOf(bytes.substr(0, length)), ": damaged image: the file ends early");
     std::string flipped = bytes;
     flipped[18] ^= 1; // the width
-    EXPECT_EQ(errorOf(flipped), ": damaged image: a checksum is wrong");
+    EXPECT_EQ(errorOf(flipped), ": damaged image: IHDR: CRC error");
     std::string text = bytes;
     text.erase(4, 1); // the carriage return
-    EXPECT_EQ(errorOf(text), ": damaged image: the first bytes are wrong");
+    EXPECT_EQ(errorOf(text), ": damaged image: PNG file corrupted by ASCII conversion");
     std::string endless = bytes;
     endless[8] = '\xff'; // the first chunk's length
-    EXPECT_EQ(errorOf(endless), ": damaged image: the file ends early");
+    EXPECT_EQ(errorOf(endless), ": damaged image: PNG unsigned integer out of range");
+}
+
+/// Texels that a PNG's sound chunks do not hold are missed by libpng, which prints nothing.
+TEST(TextureFile, SaysNothingBesidesItsError) {
+    const test::TemporaryFolder folder;
+    const auto file = writeImage(folder.path() / "a.png", 3, kByte, std::vector<float>(30, 0.5f));
+    std::string bytes = test::readFile(file);
+    const size_t data = bytes.find("IDAT"), end = bytes.find("IEND") - 4;
+    bytes.erase(data - 4, end - (data - 4)); // no texels at all
+    test::CapturedStream err(stderr);
+    const std::string name = folder.write("b.png", bytes);
+    const std::string what = inputError([&] { readTexture(DecodedImage(name)); });
+    EXPECT_EQ(err.text(), "");
+    EXPECT_EQ(what.rfind(name + ": damaged image: ", 0), 0u) << what;
+}
+
+/// Formats that OpenImageIO would take, but that are not looked into: its reader of Maya's IFF
+/// writes beyond its memory.
+TEST(TextureFile, ReadsTheListedFormatsAlone) {
+    const test::TemporaryFolder folder;
+    const std::string iff("FOR4\0\0\0\x20" "CIMGTBHD\0\0\0\x18", 20);
+    const std::string gif("GIF89a\1\0\1\0\x80\0\0", 13);
+    for (const std::string& bytes : {iff, gif, std::string("8BPS\0\1", 6)}) {
+        const std::string file = folder.write("a.png", bytes);
+        EXPECT_EQ(inputError([&] { readTexture(DecodedImage(file)); }),
+                  file + ": is none of the images that are read: PNG, JPEG, OpenEXR, Radiance HDR, "
+                         "TIFF, BMP, TGA, WebP, DDS, PNM and PFM");
+    }
+}
+
+/// A few bytes that claim a large image are refused before memory is taken for it.
+TEST(TextureFile, RefusesClaimsThatTheBytesCannotHold) {
+    const test::TemporaryFolder folder;
+    const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16384 +X 16384\n";
+    const std::string pfm = "PF\n16384 16384\n-1.0\n", ppm = "P6\n16384 16384\n255\n";
+    std::string tga(18, '\0');
+    tga[2] = 2;
+    tga[13] = tga[15] = 0x40;
+    tga[16] = 24;
+    for (const std::string& bytes : {hdr, pfm, ppm, tga}) {
+        const std::string file = folder.write("a.xyz", bytes);
+        EXPECT_EQ(inputError([&] { readTexture(DecodedImage(file)); }),
+                  file + ": damaged image: " + std::to_string(bytes.size()) +
+                      " bytes cannot hold the 16384x16384 texels of its header");
+    }
 }
 
 class DamagedTexture : public testing::TestWithParam<const char*> {};
@@ -188,7 +233,7 @@ TEST_P(DamagedTexture, EndsInOneLine) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, DamagedTexture,
-                         testing::Values("png", "jpg", "tga", "tif", "bmp", "exr", "hdr"),
+                         testing::Values("png", "jpg", "tga", "tif", "bmp", "exr", "hdr", "webp", "ppm"),
                          [](const auto& info) { return std::string(info.param); });
 
 } // namespace
