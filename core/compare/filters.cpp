@@ -37,7 +37,8 @@ struct Gaussian {
 Kernel spatialKernel(const std::vector<Gaussian>& gaussians, int radius, double pixelsPerDegree) {
     Kernel kernel;
     double total = 0.0;
-    for (const auto& [a, b] : gaussians) {
+    for (const Gaussian& gaussian : gaussians) {
+        const double a = gaussian.a, b = gaussian.b;
         const auto profile = sampled(radius, [&](double x) {
             const double degrees = x / pixelsPerDegree;
             return std::exp(-kPi * kPi * degrees * degrees / b);
