@@ -142,7 +142,7 @@ void SceneBuffers::uploadTextures(const Scene& scene) {
     variant_.texelPieces = (int) pieces.size();
     for (GlBuffer& words : pieces) texels_.emplace_back(GL_R32UI, std::move(words));
     textureTable_ = texelBuffer(GL_RGBA32UI, sizeof(Words), table, "textures");
-    const auto& decoded = Texture::decodedBytes();
+    const auto& decoded = Texture::decodedBytes(TexelEncoding::srgb);
     decodedBytes_ =
         TexelBuffer(GL_R32F, sizeof(float), sizeof decoded, decoded.data(), "decoded bytes");
 }

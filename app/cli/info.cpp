@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <set>
 
 #include <glm/common.hpp>
 
@@ -54,9 +55,12 @@ SceneCounts count(const Input& input) {
         });
     counts.texturesFound = scene.textures.size() + scene.scalarTextures.size();
     counts.texturesNamed = counts.texturesFound + (size_t) missing;
-    for (const Texture& texture : scene.textures) counts.textureBytes += texture.bytes();
-    for (const ScalarTexture& texture : scene.scalarTextures)
-        counts.textureBytes += texture.bytes();
+    std::set<const void*> counted; // some share their texels
+    const auto count = [&](const auto& texture) {
+        if (counted.insert(texture.identity()).second) counts.textureBytes += texture.bytes();
+    };
+    for (const Texture& texture : scene.textures) count(texture);
+    for (const ScalarTexture& texture : scene.scalarTextures) count(texture);
     return counts;
 }
 

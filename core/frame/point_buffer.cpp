@@ -13,7 +13,7 @@ PointFormat pointFormatOf(const Requirements& need) {
     PointFormat format;
     if (!need.packedShading) return format;
     format.words = kWordsOfAll;
-    if (need.shadingNormals || need.bumps) format.normal = format.words++;
+    if (need.hasShadingNormals()) format.normal = format.words++;
     if (need.emission) format.emission = format.words++;
     if (need.gloss) format.gloss = format.words++;
     return format;

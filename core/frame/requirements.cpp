@@ -1,6 +1,8 @@
 #include "core/frame/requirements.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace dirt {
 
@@ -35,17 +37,53 @@ bool isTextured(const Material* material) {
 bool shinesByTexture(const Material* material) {
     return shines(material) && material->emissionMap != kNoTexture;
 }
+bool isTexturedByFactor(const Material* material) {
+    return isTextured(material) && material->diffuseMapFactor != glm::vec3(1.0f);
+}
+bool isMetalByTexture(const Material* material) {
+    return material->metallicMap != kNoTexture && material->metallic > 0.0f;
+}
 bool isGlossy(const Material* material) {
-    return material->reflectance > 0.0f;
+    return material->reflectance > 0.0f || isMetalByTexture(material);
 }
 bool isGlossyByTexture(const Material* material) {
-    return isGlossy(material) && material->reflectanceMap != kNoTexture;
+    return material->reflectance > 0.0f && material->reflectanceMap != kNoTexture;
+}
+bool isRoughByTexture(const Material* material) {
+    return isGlossy(material) && material->roughnessMap != kNoTexture;
+}
+bool isMapped(const Material* material) {
+    return material->normalMap != kNoTexture;
 }
 bool isBumpy(const Material* material) {
-    return material->bumpMap != kNoTexture;
+    return material->bumpMap != kNoTexture && !isMapped(material);
 }
 bool isCutOut(const Material* material) {
     return material->hasCutOuts();
+}
+
+/// What materials that some triangle has look up, sampled as \p predicate wants.
+template <typename Predicate>
+std::pair<size_t, size_t> countTextures(const Scene& scene, const Predicate& predicate) {
+    std::set<uint32_t> colours, data;
+    for (const Material* m : usedMaterials(scene)) {
+        colours.insert({m->diffuseMap, m->emissionMap, m->normalMap});
+        data.insert({m->reflectanceMap, m->roughnessMap, m->metallicMap, m->opacityMap});
+        if (isBumpy(m)) data.insert(m->bumpMap);
+    }
+    colours.erase(kNoTexture);
+    data.erase(kNoTexture);
+    size_t found = 0;
+    for (uint32_t i : colours) found += predicate(scene.textures[i].sampling());
+    for (uint32_t i : data) found += predicate(scene.scalarTextures[i].sampling());
+    return {found, colours.size() + data.size()};
+}
+
+bool isTransformed(const TextureSampling& sampling) {
+    return sampling.transformed;
+}
+bool isWrapped(const TextureSampling& sampling) {
+    return sampling.wrapU != Wrap::repeat || sampling.wrapV != Wrap::repeat;
 }
 
 /// Triangles with a normal at every corner.
@@ -76,7 +114,14 @@ Requirements requirementsOf(const Scene& scene, const RenderSettings& settings, 
     need.gloss = countMaterials(scene, isGlossy) > 0 || settings.rayType == RayType::glossy ||
                  settings.rayType == RayType::specular;
     need.reflectanceTextures = textured && countMaterials(scene, isGlossyByTexture) > 0;
+    need.roughnessTextures = textured && countMaterials(scene, isRoughByTexture) > 0;
+    need.metallicTextures = countMaterials(scene, isMetalByTexture) > 0;
     need.bumps = textured && countMaterials(scene, isBumpy) > 0;
+    need.normalMaps = textured && countMaterials(scene, isMapped) > 0;
+    need.textureFactors = textured && countMaterials(scene, isTexturedByFactor) > 0;
+    need.textureTransforms = textured && countTextures(scene, isTransformed).first > 0;
+    need.textureWraps = textured && countTextures(scene, isWrapped).first > 0;
+    need.vertexColors = !scene.mesh.colors.empty();
     need.cutOuts = countMaterials(scene, isCutOut) > 0;
     need.shadingNormals = countNormals(scene.mesh) > 0;
     need.indirect = settings.bounces > 1;
@@ -92,6 +137,11 @@ std::vector<RequirementReason> explain(const Requirements& need, const Scene& sc
     const auto ofTextured = [&](const auto& predicate) -> std::string {
         if (scene.mesh.texcoords.empty()) return "no texture coordinates";
         return share(countMaterials(scene, predicate), materials, "materials");
+    };
+    const auto ofTextures = [&](const auto& predicate) -> std::string {
+        if (scene.mesh.texcoords.empty()) return "no texture coordinates";
+        const auto [found, all] = countTextures(scene, predicate);
+        return share(found, all, "textures");
     };
     const std::string bounces = std::to_string(settings.bounces) + " bounces";
     return {
@@ -117,7 +167,16 @@ std::vector<RequirementReason> explain(const Requirements& need, const Scene& sc
              ? "asked for"
              : share(countMaterials(scene, isGlossy), materials, "materials")},
         {"reflectance textures", need.reflectanceTextures, ofTextured(isGlossyByTexture)},
+        {"roughness textures", need.roughnessTextures, ofTextured(isRoughByTexture)},
+        {"metallic textures", need.metallicTextures,
+         share(countMaterials(scene, isMetalByTexture), materials, "materials")},
         {"bump maps", need.bumps, ofTextured(isBumpy)},
+        {"normal maps", need.normalMaps, ofTextured(isMapped)},
+        {"texture factors", need.textureFactors, ofTextured(isTexturedByFactor)},
+        {"texture transforms", need.textureTransforms, ofTextures(isTransformed)},
+        {"textures that do not repeat", need.textureWraps, ofTextures(isWrapped)},
+        {"vertex colours", need.vertexColors,
+         need.vertexColors ? "the scene has some" : "the scene has none"},
         {"cut-outs", need.cutOuts, share(countMaterials(scene, isCutOut), materials, "materials")},
         {"shading normals", need.shadingNormals,
          share(countNormals(scene.mesh), scene.mesh.triangles.size(), "triangles")},

@@ -21,7 +21,14 @@ struct Requirements {
     bool emissionTextures = false;    ///< radiance from a map_Ke
     bool gloss = false;               ///< microfacets: the direction to the viewer matters
     bool reflectanceTextures = false; ///< reflectance of microfacets from a map_Ks
+    bool roughnessTextures = false;   ///< their width from a texture
+    bool metallicTextures = false;    ///< what of them is a metal's from a texture
     bool bumps = false;               ///< normals from heights
+    bool normalMaps = false;          ///< normals from a texture
+    bool textureFactors = false;      ///< reflectance from a map_Kd times a factor
+    bool textureTransforms = false;   ///< textures with coordinates of their own
+    bool textureWraps = false;        ///< textures that do not repeat
+    bool vertexColors = false;        ///< reflectance times the vertices' colours
     bool cutOuts = false;             ///< surfaces with holes or one side: candidates are looked up
     bool shadingNormals = false;      ///< interpolated normals
     bool indirect = false;            ///< more than direct light: rays, hits, mask, G[k]
@@ -30,6 +37,9 @@ struct Requirements {
     bool packedShading = false;       ///< surface points are rounded to 32 bytes at most
     bool previousPoint = false;       ///< G[k-1]: for inspection alone, as the rays say from where
                                       ///< their hit is seen
+
+    /// Whether normals for shading are not the triangles' own.
+    bool hasShadingNormals() const { return shadingNormals || bumps || normalMaps; }
 };
 
 /// \p rasterizes says whether the backend can rasterize direct visibility.

@@ -158,7 +158,8 @@ uint32_t SceneBuilder::addSurface(const GltfFile& gltf, size_t index, bool doubl
     const auto sourceOf = [&](uint32_t image) { return gltf.images[image].source(gltf.file); };
     if (surface.colourImage != GltfFile::kNone) {
         const auto source = sourceOf(surface.colourImage);
-        material.diffuseMap = textures_.colour(source, surface.material.diffuse);
+        material.diffuseMap = textures_.colour(source);
+        material.diffuseMapFactor = surface.material.diffuse;
         if (surface.alphaLimit > 0.0f)
             material.opacityMap = textures_.alpha(source, surface.alphaLimit);
     }

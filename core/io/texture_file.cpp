@@ -4,6 +4,7 @@
 #include "core/io/load_report.h"
 #include "core/io/text_file.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <memory>
@@ -61,6 +62,14 @@ struct DecodedImage::Pixels {
         return texels;
     }
 
+    std::vector<float> finiteColours() {
+        auto texels = colours<float>();
+        for (const float value : texels)
+            if (!(std::abs(value) <= FLT_MAX))
+                failAt(name, 0, "damaged image: a texel is not finite");
+        return texels;
+    }
+
     template <typename Channel>
     std::vector<Channel> one(int channel) {
         const std::vector<Channel>& from = all<Channel>();
@@ -104,8 +113,36 @@ Texture readTexture(const DecodedImage& image) {
     return Texture(name, width, height, std::move(texels));
 }
 
-ScalarTexture readScalarTexture(const DecodedImage& image) {
-    return image.pixels().scalars(0);
+Texture readDataTexture(const DecodedImage& image) {
+    DecodedImage::Pixels& pixels = image.pixels();
+    const std::string name = pixels.name.string();
+    const int width = pixels.spec.width, height = pixels.spec.height;
+    if (pixels.spec.format == OIIO::TypeDesc::UINT8)
+        return Texture(name, width, height, pixels.colours<uint8_t>(), TexelEncoding::linear);
+    return Texture(name, width, height, pixels.finiteColours());
+}
+
+ScalarTexture readScalarTexture(const DecodedImage& image, ImageChannel channel) {
+    DecodedImage::Pixels& pixels = image.pixels();
+    const std::string name = pixels.name.string();
+    const int width = pixels.spec.width, height = pixels.spec.height;
+    if (channel == ImageChannel::luminance || channel == ImageChannel::mean) {
+        const glm::vec3 weights = channel == ImageChannel::mean
+                                      ? glm::vec3(1.0f / 3.0f)
+                                      : glm::vec3(0.2126f, 0.7152f, 0.0722f);
+        const auto colours = pixels.finiteColours();
+        std::vector<float> texels(colours.size() / 3);
+        for (size_t i = 0; i < texels.size(); ++i)
+            texels[i] = std::clamp(colours[3 * i] * weights.x + colours[3 * i + 1] * weights.y +
+                                       colours[3 * i + 2] * weights.z,
+                                   -FLT_MAX, FLT_MAX);
+        return ScalarTexture(name, width, height, std::move(texels));
+    }
+    if (channel == ImageChannel::alpha) {
+        if (pixels.spec.alpha_channel >= 0) return pixels.scalars(pixels.spec.alpha_channel);
+        return ScalarTexture(name, 1, 1, std::vector<uint8_t>{255});
+    }
+    return pixels.scalars(pixels.spec.nchannels >= 3 ? (int) channel : 0);
 }
 
 std::optional<ScalarTexture> readAlpha(const DecodedImage& image, float limit) {

@@ -45,9 +45,20 @@ private:
 /// float texel is negative or not finite, too.
 Texture readTexture(const DecodedImage& image);
 
-/// An image as data: its first channel, 8-bit formats as 0 to 1, others as floats. Throws
-/// InputError as readTexture does; a float texel may be negative.
-ScalarTexture readScalarTexture(const DecodedImage& image);
+/// Three channels of an image as data: 8-bit formats as linear bytes, others as floats, integers
+/// from 0 to 1. One channel is all three. Throws InputError as readTexture does; a float texel may
+/// be negative.
+Texture readDataTexture(const DecodedImage& image);
+
+/// What of an image makes data of one channel. In an image of grey, red, green and blue are its
+/// grey; in one without alpha, alpha is 1. Luminance is Rec.709's and mean a third of the sum, of
+/// the channels as they are.
+enum class ImageChannel { red, green, blue, alpha, luminance, mean };
+
+/// One channel of an image as data: 8-bit formats as 0 to 1 (luminance and mean as floats), others
+/// as floats. Throws InputError as readDataTexture does.
+ScalarTexture readScalarTexture(const DecodedImage& image,
+                                ImageChannel channel = ImageChannel::red);
 
 /// An image's alpha, if it has any that cuts out a part of the image and leaves one: texels below
 /// \p limit and others.

@@ -15,6 +15,15 @@ std::string exactText(float value) {
     return text;
 }
 
+std::string exactText(const TextureSampling& sampling) {
+    std::string text =
+        std::to_string((int) sampling.wrapU) + " " + std::to_string((int) sampling.wrapV);
+    if (sampling.transformed)
+        for (const glm::vec3& row : {sampling.rowU, sampling.rowV})
+            for (int i = 0; i < 3; ++i) text += exactText(row[i]);
+    return text;
+}
+
 } // namespace
 
 void TextureLoader::readAhead(const TextureLoader& announced, Executor& executor,
@@ -59,65 +68,80 @@ std::vector<TextureLoader::Result> TextureLoader::read(const ImageFile& file,
     return results;
 }
 
-template <typename T>
-uint32_t TextureLoader::load(const Source& source, const std::string& what,
-                             std::vector<T>& textures, const Read& read) {
+TextureLoader::Key TextureLoader::keyOf(const Source& source, const std::string& what) {
     const std::string path = source.image ? source.image->name.string()
                                           : (source.namedBy.parent_path() / source.label).string();
-    const Key key(path, what);
-    const auto [entry, isNew] = places_.try_emplace(key, kNoTexture);
-    if (!isNew) return entry->second;
+    return {path, what};
+}
+
+/// What is read of the image; nothing where that is not possible, which is warned of once.
+const TextureLoader::Result& TextureLoader::load(const Key& key, const Source& source,
+                                                 const Read& read) {
+    const auto [entry, isNew] = loaded_.try_emplace(key);
+    Result& result = entry->second;
+    if (!isNew) return result;
     if (announcing_) {
         if (source.image) announced_.push_back({key, *source.image, read});
-        return kNoTexture;
+        return result;
     }
     const std::string name = "texture " + inQuotes(source.label);
+    const auto warn = [&](const std::string& text) {
+        report_.warn(WarningKind::unusableTexture, source.namedBy, source.line, name + text);
+    };
     if (!source.image) {
-        report_.warn(WarningKind::unusableTexture, source.namedBy, source.line,
-                     name + " not found");
-        return kNoTexture;
+        warn(" not found");
+        return result;
     }
     const auto ahead = ahead_.extract(key);
-    Result result =
+    result =
         ahead ? std::move(ahead.mapped()) : std::move(this->read(*source.image, {&read, 1})[0]);
-    if (const auto* error = std::get_if<std::string>(&result))
-        report_.warn(WarningKind::unusableTexture, source.namedBy, source.line,
-                     name + ": " + *error);
-    if (auto* texture = std::get_if<T>(&result)) {
-        textures.push_back(std::move(*texture));
-        entry->second = (uint32_t) textures.size() - 1;
-    }
+    if (const auto* error = std::get_if<std::string>(&result)) warn(": " + *error);
+    return result;
+}
+
+template <typename T>
+uint32_t TextureLoader::place(const Source& source, const std::string& what,
+                              const TextureSampling& sampling, std::vector<T>& textures,
+                              const Read& read) {
+    const Key key = keyOf(source, what);
+    const auto* const texture = std::get_if<T>(&load(key, source, read));
+    if (!texture) return kNoTexture;
+    const auto [entry, isNew] =
+        places_.try_emplace({key, exactText(sampling)}, (uint32_t) textures.size());
+    if (isNew) textures.push_back(texture->with(sampling));
     return entry->second;
 }
 
-uint32_t TextureLoader::colour(const Source& source, glm::vec3 factor) {
-    if (factor == glm::vec3(1.0f))
-        return load(source, "colour", scene_.textures,
-                    [](const DecodedImage& image) { return readTexture(image); });
-    return load(source, "colour" + exactText(factor.x) + exactText(factor.y) + exactText(factor.z),
-                scene_.textures,
-                [factor](const DecodedImage& image) { return readTexture(image).times(factor); });
+uint32_t TextureLoader::colour(const Source& source, const TextureSampling& sampling,
+                               TexelEncoding encoding) {
+    if (encoding == TexelEncoding::linear)
+        return place(source, "linear colour", sampling, scene_.textures,
+                     [](const DecodedImage& image) { return readDataTexture(image); });
+    return place(source, "colour", sampling, scene_.textures,
+                 [](const DecodedImage& image) { return readTexture(image); });
 }
 
-uint32_t TextureLoader::data(const Source& source) {
-    return load(source, "data", scene_.scalarTextures,
-                [](const DecodedImage& image) { return readScalarTexture(image); });
+uint32_t TextureLoader::data(const Source& source, const TextureSampling& sampling,
+                             ImageChannel channel) {
+    return place(
+        source, "data " + std::to_string((int) channel), sampling, scene_.scalarTextures,
+        [channel](const DecodedImage& image) { return readScalarTexture(image, channel); });
 }
 
-uint32_t TextureLoader::alpha(const Source& source, float limit) {
-    return load(source, "alpha" + exactText(limit), scene_.scalarTextures,
-                [limit](const DecodedImage& image) -> Result {
-                    auto alpha = readAlpha(image, limit);
-                    if (!alpha) return {};
-                    return std::move(*alpha);
-                });
+uint32_t TextureLoader::alpha(const Source& source, float limit, const TextureSampling& sampling) {
+    return place(source, "alpha" + exactText(limit), sampling, scene_.scalarTextures,
+                 [limit](const DecodedImage& image) -> Result {
+                     auto alpha = readAlpha(image, limit);
+                     if (!alpha) return {};
+                     return std::move(*alpha);
+                 });
 }
 
 std::optional<glm::vec3> TextureLoader::means(const Source& source) {
-    const uint32_t place =
-        load(source, "means", means_, [](const DecodedImage& image) { return readMeans(image); });
-    if (place == kNoTexture) return std::nullopt;
-    return means_[place];
+    const Result& result = load(keyOf(source, "means"), source,
+                                [](const DecodedImage& image) { return readMeans(image); });
+    const auto* const means = std::get_if<glm::vec3>(&result);
+    return means ? std::optional(*means) : std::nullopt;
 }
 
 } // namespace dirt

@@ -20,8 +20,9 @@
 
 namespace dirt {
 
-/// Loads the textures that materials name into a Scene, each once. One that is not there or damaged
-/// is a warning, and kNoTexture.
+/// Loads the textures that materials name into a Scene, each once; those that differ in their
+/// sampling alone share their texels. One that is not there or damaged is a warning, and
+/// kNoTexture.
 class TextureLoader {
 public:
     /// An image, and what names it.
@@ -41,12 +42,15 @@ public:
     void readAhead(const TextureLoader& announced, Executor& executor,
                    const LoadProgress& progress);
 
-    /// In Scene::textures: the image times \p factor.
-    uint32_t colour(const Source& source, glm::vec3 factor = glm::vec3(1.0f));
-    /// In Scene::scalarTextures: the image's first channel.
-    uint32_t data(const Source& source);
+    /// In Scene::textures: the image's colours, by the curve of sRGB unless they are floats; or
+    /// where they are linear, its first three channels as data (see readDataTexture).
+    uint32_t colour(const Source& source, const TextureSampling& sampling = {},
+                    TexelEncoding encoding = TexelEncoding::srgb);
+    /// In Scene::scalarTextures: one channel of the image.
+    uint32_t data(const Source& source, const TextureSampling& sampling = {},
+                  ImageChannel channel = ImageChannel::red);
     /// In Scene::scalarTextures: the image's alpha, if it cuts out a part (see readAlpha).
-    uint32_t alpha(const Source& source, float limit = 0.5f);
+    uint32_t alpha(const Source& source, float limit = 0.5f, const TextureSampling& sampling = {});
     /// The means of the first three channels, as data.
     std::optional<glm::vec3> means(const Source& source);
 
@@ -55,6 +59,7 @@ private:
     using Result = std::variant<std::monostate, Texture, ScalarTexture, glm::vec3, std::string>;
     using Read = std::function<Result(const DecodedImage&)>;
 
+    /// A path, or label where there is none, and what is read of it.
     using Key = std::pair<std::string, std::string>;
     struct Announced {
         Key key;
@@ -62,16 +67,17 @@ private:
         Read read;
     };
 
+    static Key keyOf(const Source& source, const std::string& what);
     static std::vector<Result> read(const ImageFile& image, std::span<const Read> reads);
+    const Result& load(const Key& key, const Source& source, const Read& read);
     template <typename T>
-    uint32_t load(const Source& source, const std::string& what, std::vector<T>& textures,
-                  const Read& read);
+    uint32_t place(const Source& source, const std::string& what, const TextureSampling& sampling,
+                   std::vector<T>& textures, const Read& read);
 
     Scene& scene_;
     LoadReport& report_;
-    std::vector<glm::vec3> means_;
-    /// By path, or label where there is none, and what is read of it.
-    std::map<Key, uint32_t> places_;
+    std::map<Key, Result> loaded_;
+    std::map<std::pair<Key, std::string>, uint32_t> places_; ///< also by sampling
     bool announcing_ = false;
     std::vector<Announced> announced_;
     std::map<Key, Result> ahead_;

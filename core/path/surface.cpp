@@ -8,16 +8,24 @@ namespace dirt {
 
 namespace {
 
-/// \p normal, turned by the material's heights.
-glm::vec3 bumped(const Scene& scene, const Material& material, const Triangle& triangle,
+/// \p normal, turned by the material's normal map or heights.
+glm::vec3 turned(const Scene& scene, const Material& material, const Triangle& triangle,
                  uint32_t primitive, glm::vec2 texcoord, glm::vec3 normal) {
-    const glm::vec2 slopes =
-        scene.scalarTextures[material.bumpMap].slopes(texcoord) * material.bumpScale;
     const auto& texcoords = scene.mesh.texcoords;
     const Corners& corners = scene.mesh.texcoordIndices[primitive];
     const glm::vec2 a = texcoords[corners[0]];
-    return bumpedNormal(normal, triangle.b - triangle.a, triangle.c - triangle.a,
-                        texcoords[corners[1]] - a, texcoords[corners[2]] - a, slopes);
+    const glm::vec2 de = texcoords[corners[1]] - a, df = texcoords[corners[2]] - a;
+    const glm::vec3 e = triangle.b - triangle.a, f = triangle.c - triangle.a;
+    if (material.normalMap != kNoTexture) {
+        const Texture& map = scene.textures[material.normalMap];
+        const glm::vec3 local = normalOfTexel(map.sample(texcoord), material.normalScale);
+        return mappedNormal(normal, e, f, map.sampling().imageDifference(de),
+                            map.sampling().imageDifference(df), local);
+    }
+    const ScalarTexture& map = scene.scalarTextures[material.bumpMap];
+    const glm::vec2 slopes = map.slopes(texcoord) * material.bumpScale;
+    return bumpedNormal(normal, e, f, map.sampling().imageDifference(de),
+                        map.sampling().imageDifference(df), slopes);
 }
 
 } // namespace
@@ -45,26 +53,37 @@ SurfacePoint fetchSurface(const Scene& scene, const FrameGeometry& geometry, glm
     }
     point.diffuse = material.diffuse;
     point.emission = material.emission;
-    float reflectance = material.reflectance;
+    float reflectance = material.reflectance, roughness = material.roughness;
+    float metallic = material.metallic;
     if (material.isTextured()) {
         if (const auto texcoord = texcoordAt(mesh, primitive, u, v)) {
             if (material.diffuseMap != kNoTexture)
-                point.diffuse = scene.textures[material.diffuseMap].sample(*texcoord);
+                point.diffuse = scene.textures[material.diffuseMap].sample(*texcoord) *
+                                material.diffuseMapFactor;
             if (material.emissionMap != kNoTexture)
                 point.emission *= scene.textures[material.emissionMap].sample(*texcoord);
             if (material.reflectanceMap != kNoTexture)
                 reflectance *= scene.scalarTextures[material.reflectanceMap].sample(*texcoord);
-            if (material.bumpMap != kNoTexture) {
-                // Heights rise on the side of the surface's own normal, whichever is seen.
+            if (material.roughnessMap != kNoTexture)
+                roughness = mappedRoughness(
+                    roughness, scene.scalarTextures[material.roughnessMap].sample(*texcoord));
+            if (material.metallicMap != kNoTexture)
+                metallic = mappedMetallic(
+                    metallic, scene.scalarTextures[material.metallicMap].sample(*texcoord));
+            if ((material.bumpMap & material.normalMap) != kNoTexture) {
+                // They stand on the side of the surface's own normal, whichever is seen.
                 const glm::vec3 base = shadingNormalFrom(normal, normal);
-                normal = bumped(scene, material, triangle, primitive, *texcoord, base);
+                normal = turned(scene, material, triangle, primitive, *texcoord, base);
                 point.shadingNormal = shadingNormalFrom(normal, point.geometricNormal);
             }
         }
     }
+    if (!mesh.colors.empty())
+        point.diffuse *= interpolateAt(mesh.colors, mesh.triangles[primitive], u, v);
+    if (material.metallicMap != kNoTexture) reflectance = metalReflectance(reflectance, metallic);
     if (reflectance > 0.0f) {
-        point.roughness = material.roughness;
-        point.gloss = packGloss(reflectance < 1.0f ? reflectance : 1.0f, material.metallic);
+        point.roughness = roughness;
+        point.gloss = packGloss(reflectance < 1.0f ? reflectance : 1.0f, metallic);
     }
     return point;
 }

@@ -26,6 +26,8 @@ struct Mesh {
     std::vector<glm::vec3> positions; ///< world space; static transforms already applied
     std::vector<glm::vec3> normals;   ///< unit length, world space; may be empty
     std::vector<glm::vec2> texcoords; ///< OBJ convention: v runs upwards; may be empty
+    /// Linear Rec.709, one a position or empty; what reflects diffusely is multiplied by them.
+    std::vector<glm::vec3> colors;
 
     std::vector<Corners> triangles;       ///< into positions
     std::vector<Corners> normalIndices;   ///< into normals or kNoIndex; same length as triangles

@@ -1,7 +1,6 @@
 #include "core/scene/texture.h"
 
 #include "core/scene/srgb.h"
-#include "shaders/shared/texture_lookup.h"
 
 #include <cassert>
 #include <cmath>
@@ -18,48 +17,58 @@ std::array<float, 256> makeDecodeTable() {
     return table;
 }
 
-const std::array<float, 256> kDecode = makeDecodeTable();
+std::array<float, 256> makeLinearTable() {
+    std::array<float, 256> table;
+    for (int i = 0; i < 256; ++i) table[(size_t) i] = (float) i / 255.0f;
+    return table;
+}
+
+const std::array<float, 256> kDecode = makeDecodeTable(), kLinear = makeLinearTable();
 
 } // namespace
 
-Texture::Texture(std::string file, int width, int height, std::vector<uint8_t> texels)
-    : file_(std::move(file)), width_(width), height_(height), bytes_(std::move(texels)) {
-    assert(bytes_.size() == (size_t) width_ * (size_t) height_ * 3);
+Texture::Texture(std::string file, int width, int height, std::vector<uint8_t> texels,
+                 TexelEncoding encoding)
+    : file_(std::move(file)), width_(width), height_(height), encoding_(encoding),
+      decoded_(decodedBytes(encoding).data()) {
+    assert(texels.size() == (size_t) width_ * (size_t) height_ * 3);
+    const auto shared = std::make_shared<const std::vector<uint8_t>>(std::move(texels));
+    texels_ = shared;
+    bytes_ = *shared;
 }
 
 Texture::Texture(std::string file, int width, int height, std::vector<float> texels)
-    : file_(std::move(file)), width_(width), height_(height), floats_(std::move(texels)) {
-    assert(floats_.size() == (size_t) width_ * (size_t) height_ * 3);
+    : file_(std::move(file)), width_(width), height_(height) {
+    assert(texels.size() == (size_t) width_ * (size_t) height_ * 3);
+    const auto shared = std::make_shared<const std::vector<float>>(std::move(texels));
+    texels_ = shared;
+    floats_ = *shared;
 }
 
-const std::array<float, 256>& Texture::decodedBytes() {
-    return kDecode;
+Texture Texture::with(const TextureSampling& sampling) const {
+    Texture texture = *this;
+    texture.sampling_ = sampling;
+    return texture;
+}
+
+const std::array<float, 256>& Texture::decodedBytes(TexelEncoding encoding) {
+    return encoding == TexelEncoding::srgb ? kDecode : kLinear;
 }
 
 glm::vec3 Texture::texel(int x, int y) const {
     const size_t i = ((size_t) y * (size_t) width_ + (size_t) x) * 3;
     if (floats_.empty())
-        return {kDecode[bytes_[i]], kDecode[bytes_[i + 1]], kDecode[bytes_[i + 2]]};
+        return {decoded_[bytes_[i]], decoded_[bytes_[i + 1]], decoded_[bytes_[i + 2]]};
     return {floats_[i], floats_[i + 1], floats_[i + 2]};
 }
 
 glm::vec3 Texture::sample(glm::vec2 uv) const {
-    const TexelPair x = texelsAround(uv.x, width_);
-    const TexelPair y = texelsAround(-uv.y, height_); // v upwards, rows downwards
+    const glm::vec2 at = sampling_.imageCoordinates(uv);
+    const TexelPair x = columnsAround(at.x, width_, (uint32_t) sampling_.wrapU);
+    const TexelPair y = rowsAround(at.y, height_, (uint32_t) sampling_.wrapV);
     const glm::vec3 upper = blend(texel(x.first, y.first), texel(x.second, y.first), x.weight);
     const glm::vec3 lower = blend(texel(x.first, y.second), texel(x.second, y.second), x.weight);
     return blend(upper, lower, y.weight);
-}
-
-Texture Texture::times(glm::vec3 factor) const {
-    std::vector<float> texels;
-    texels.reserve((size_t) width_ * (size_t) height_ * 3);
-    for (int y = 0; y < height_; ++y)
-        for (int x = 0; x < width_; ++x) {
-            const glm::vec3 product = texel(x, y) * factor;
-            texels.insert(texels.end(), {product.x, product.y, product.z});
-        }
-    return Texture(file_, width_, height_, std::move(texels));
 }
 
 } // namespace dirt

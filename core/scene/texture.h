@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/scene/texture_sampling.h"
+
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,31 +14,43 @@
 
 namespace dirt {
 
-/// A colour texture: 8-bit sRGB or linear float texels, three channels, first row on top.
+/// What a byte stands for.
+enum class TexelEncoding {
+    srgb,  ///< a colour, by the curve of sRGB
+    linear ///< data: 255 is 1
+};
+
+/// A texture of three channels: 8-bit or linear float texels, first row on top. Copies share their
+/// texels.
 class Texture {
 public:
     Texture() = default;
-    /// \p texels holds width * height * 3 sRGB-encoded bytes.
-    Texture(std::string file, int width, int height, std::vector<uint8_t> texels);
+    /// \p texels holds width * height * 3 bytes.
+    Texture(std::string file, int width, int height, std::vector<uint8_t> texels,
+            TexelEncoding encoding = TexelEncoding::srgb);
     /// \p texels holds width * height * 3 linear values.
     Texture(std::string file, int width, int height, std::vector<float> texels);
 
-    /// Linear Rec.709 at \p uv (v upwards), bilinear between texel centres, repeating.
-    glm::vec3 sample(glm::vec2 uv) const;
+    /// This texture, sharing its texels, looked up as \p sampling says.
+    Texture with(const TextureSampling& sampling) const;
 
-    /// This texture with each linear texel multiplied by \p factor, in float.
-    Texture times(glm::vec3 factor) const;
+    /// Linear Rec.709, or data, at \p uv of a mesh (v upwards), bilinear between texel centres.
+    glm::vec3 sample(glm::vec2 uv) const;
 
     const std::string& file() const { return file_; }
     int width() const { return width_; }
     int height() const { return height_; }
-    /// Three channels a texel, first row on top: sRGB-encoded bytes or linear floats, the other is
-    /// empty.
+    const TextureSampling& sampling() const { return sampling_; }
+    TexelEncoding encoding() const { return encoding_; }
+    /// Three channels a texel, first row on top: bytes or linear floats, the other is empty.
     std::span<const uint8_t> encodedTexels() const { return bytes_; }
     std::span<const float> linearTexels() const { return floats_; }
-    /// The linear value of each sRGB-encoded byte.
-    static const std::array<float, 256>& decodedBytes();
-    size_t bytes() const { return bytes_.size() + floats_.size() * sizeof(float); }
+    /// The linear value of each byte.
+    static const std::array<float, 256>& decodedBytes(TexelEncoding encoding);
+    /// Of the texels, whoever shares them.
+    size_t bytes() const { return bytes_.size_bytes() + floats_.size_bytes(); }
+    /// The same of textures that share their texels, and of no others.
+    const void* identity() const { return texels_.get(); }
 
 private:
     glm::vec3 texel(int x, int y) const;
@@ -43,8 +58,12 @@ private:
     std::string file_;
     int width_ = 0;
     int height_ = 0;
-    std::vector<uint8_t> bytes_;
-    std::vector<float> floats_;
+    TexelEncoding encoding_ = TexelEncoding::srgb;
+    TextureSampling sampling_;
+    std::shared_ptr<const void> texels_; ///< keeps what the spans show
+    std::span<const uint8_t> bytes_;
+    std::span<const float> floats_;
+    const float* decoded_ = nullptr; ///< decodedBytes
 };
 
 } // namespace dirt

@@ -70,6 +70,56 @@ DIRT_FUNCTION vec3 bumpedNormal(vec3 normal, vec3 e, vec3 f, vec2 de, vec2 df, v
     return directionOf(turned);
 }
 
+/// The normal that a normal map's \p texel stands for, along the image's u and v and out of the
+/// surface; \p scale: Material::normalScale.
+DIRT_FUNCTION vec3 normalOfTexel(vec3 texel, float scale) {
+    DIRT_PRECISE vec3 decoded = 2.0f * texel - 1.0f;
+    DIRT_PRECISE vec3 scaled = vec3(decoded.x * scale, decoded.y * scale, decoded.z);
+    return scaled;
+}
+
+/// The unit vector \p normal of a triangle as for bumpedNormal, replaced by \p local, which is in a
+/// right-angled frame: along the texture's u as seen on the plane of \p normal, to its v's side,
+/// and along \p normal. So mirrored textures, too, have their v run upwards.
+DIRT_FUNCTION vec3 mappedNormal(vec3 normal, vec3 e, vec3 f, vec2 de, vec2 df, vec3 local) {
+    DIRT_PRECISE float area = de.x * df.y - df.x * de.y;
+    if (area == 0.0f) return normal;
+    float side = area > 0.0f ? 1.0f : -1.0f;
+    DIRT_PRECISE vec3 alongU = (e * df.y - f * de.y) * side;
+    DIRT_PRECISE vec3 alongV = (f * de.x - e * df.x) * side;
+    DIRT_PRECISE vec3 inPlaneU = alongU - normal * dotProduct(normal, alongU);
+    vec3 u = directionOf(inPlaneU);
+    DIRT_PRECISE vec3 v = vec3(normal.y * u.z - u.y * normal.z, normal.z * u.x - u.z * normal.x,
+                               normal.x * u.y - u.x * normal.y);
+    float upwards = dotProduct(v, alongV) < 0.0f ? -local.y : local.y;
+    DIRT_PRECISE vec3 turned = u * local.x + v * upwards + normal * local.z;
+    return directionOf(turned);
+}
+
+/// \p x, or the end of [0, 1] beyond which it lies.
+DIRT_FUNCTION float withinUnit(float x) {
+    return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
+}
+
+/// A roughness times what a roughness map has there: the distribution's width grows by its square.
+DIRT_FUNCTION float mappedRoughness(float roughness, float texel) {
+    DIRT_PRECISE float mapped = roughness * (texel * texel);
+    return withinUnit(mapped);
+}
+
+/// Metallic times what a metallic map has there.
+DIRT_FUNCTION float mappedMetallic(float metallic, float texel) {
+    DIRT_PRECISE float mapped = metallic * texel;
+    return withinUnit(mapped);
+}
+
+/// Reflectance at normal incidence where a surface that has \p reflectance where it is no metal is
+/// one by \p metallic.
+DIRT_FUNCTION float metalReflectance(float reflectance, float metallic) {
+    DIRT_PRECISE float value = reflectance + (1.0f - reflectance) * metallic;
+    return value;
+}
+
 DIRT_SHARED_END
 
 #endif
