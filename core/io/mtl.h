@@ -31,17 +31,14 @@ enum class MtlUse : uint8_t {
 
 /// A texture statement.
 struct MtlMap {
-    /// -colorspace: how the texels are encoded.
-    enum class Encoding : uint8_t { usual, linear, srgb };
-
     std::string file; ///< as written, without quotes; empty: none
     size_t line = 0;
-    std::string_view key;   ///< "map_Kd"
-    glm::vec2 scale{1.0f};  ///< -s; texture coordinates times this
-    glm::vec2 offset{0.0f}; ///< -o; and plus this
-    bool clamps = false;    ///< -clamp on: no repetition
-    char channel = 0;       ///< -imfchan: r, g, b, m (alpha) or l (luminance); 0: not said
-    Encoding encoding = Encoding::usual;
+    std::string_view key;          ///< "map_Kd"
+    glm::vec2 scale{1.0f};         ///< -s; texture coordinates times this
+    glm::vec2 offset{0.0f};        ///< -o; and plus this
+    bool clamps = false;           ///< -clamp on: no repetition
+    char channel = 0;              ///< -imfchan: r, g, b, m (alpha) or l (luminance); 0: not said
+    bool isLinear = false;         ///< -colorspace linear
     std::optional<float> strength; ///< -bm
 };
 

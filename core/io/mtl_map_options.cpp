@@ -106,10 +106,9 @@ void MapOptionReader::strength(std::string_view name, const std::vector<std::str
 }
 
 void MapOptionReader::channel(std::string_view name, const std::vector<std::string_view>& values) {
-    const bool isColour = use_ == MtlUse::diffuse || use_ == MtlUse::emission;
-    if (isColour || use_ == MtlUse::normal) return ignore(name, values);
+    if (isColour() || use_ == MtlUse::normal) return ignore(name, values);
     constexpr std::string_view kChannels = "rgbml";
-    std::string_view value = values[0];
+    const std::string_view value = values[0];
     const char letter = value.size() == 1 ? (char) (value[0] | 0x20) : ' ';
     if (kChannels.find(letter) == kChannels.npos)
         ignored_.push_back(std::string(name) + " " + std::string(value));
@@ -117,14 +116,17 @@ void MapOptionReader::channel(std::string_view name, const std::vector<std::stri
         map_.channel = letter;
 }
 
+/// Data is linear, whatever it says.
 void MapOptionReader::encoding(std::string_view name, const std::vector<std::string_view>& values) {
-    if (use_ == MtlUse::normal) return ignore(name, values);
-    if (equalButForCase(values[0], "linear"))
-        map_.encoding = MtlMap::Encoding::linear;
-    else if (equalButForCase(values[0], "srgb"))
-        map_.encoding = MtlMap::Encoding::srgb;
+    const bool linear = equalButForCase(values[0], "linear");
+    if (linear || (isColour() && equalButForCase(values[0], "srgb")))
+        map_.isLinear = linear;
     else
         ignored_.push_back(std::string(name) + " " + std::string(values[0]));
+}
+
+bool MapOptionReader::isColour() const {
+    return use_ == MtlUse::diffuse || use_ == MtlUse::emission;
 }
 
 void MapOptionReader::ignore(std::string_view name, const std::vector<std::string_view>&) {

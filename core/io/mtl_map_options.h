@@ -35,6 +35,7 @@ private:
     void encoding(std::string_view name, const std::vector<std::string_view>& values);
     void ignore(std::string_view name, const std::vector<std::string_view>& values);
 
+    bool isColour() const;
     void plane(std::string_view name, const std::vector<std::string_view>& values, glm::vec2& out);
     std::vector<std::string_view> takeValues(const Option& option);
 

@@ -7,9 +7,6 @@ namespace dirt {
 
 namespace {
 
-/// The reflectance that a specular of 1 stands for.
-constexpr float kHighestSpecular = 0.08f;
-
 float mean(glm::vec3 colour) {
     return (colour.x + colour.y + colour.z) / 3.0f;
 }
@@ -69,27 +66,31 @@ Material wavefrontMaterial(const MtlMaterial& source) {
     if (source.roughness) roughness = atMostOne(*source.roughness);
     material.roughness = roughness * roughness;
 
-    float specular = hasHighlight(source) ? 1.0f : 0.0f;
-    if (source.specular) specular = atMostOne(mean(*source.specular));
-    if (isSpecularMirror(source)) {
-        material.reflectance = specular;
-        return material;
-    }
     float metallic = 0.0f;
-    if (reflects(source)) metallic = source.ambient ? atMostOne(mean(*source.ambient)) : 1.0f;
+    if (reflects(source) && !isSpecularMirror(source))
+        metallic = source.ambient ? atMostOne(mean(*source.ambient)) : 1.0f;
     if (source.metalness) metallic = atMostOne(*source.metalness);
     material.metallic = metallic;
-    const float dielectric = kHighestSpecular * specular;
+    const float dielectric = dielectricReflectance(source);
     material.reflectance = dielectric + (1.0f - dielectric) * metallic;
     return material;
 }
 
 } // namespace
 
+float highestReflectance(const MtlMaterial& source) {
+    return isSpecularMirror(source) ? 1.0f : 0.08f;
+}
+
+float dielectricReflectance(const MtlMaterial& source) {
+    float specular = hasHighlight(source) ? 1.0f : 0.0f;
+    if (source.specular) specular = atMostOne(mean(*source.specular));
+    return highestReflectance(source) * specular;
+}
+
 bool honoursMap(MaterialConvention convention, MtlUse use) {
-    (void) convention;
-    return use != MtlUse::exponent && use != MtlUse::roughness && use != MtlUse::metalness &&
-           use != MtlUse::normal;
+    if (convention == MaterialConvention::wavefront) return true;
+    return use != MtlUse::exponent && use != MtlUse::roughness && use != MtlUse::metalness;
 }
 
 Material materialOf(const MtlMaterial& source, MaterialConvention convention) {
@@ -118,19 +119,9 @@ void reportIgnored(const MtlMaterial& source, MaterialConvention convention, Loa
         report.ignore("MTL illum " + std::to_string(*source.illumination) + ", its transparency");
     if (!demo && source.illumination > 9)
         report.ignore("MTL illum " + std::to_string(*source.illumination));
-    for (const MtlMap& map : source.maps) {
-        const MtlMap usual;
-        const auto ignore = [&](const char* option) {
-            report.ignore("MTL " + std::string(map.key) + " " + option);
-        };
-        if (map.scale != usual.scale) ignore("-s");
-        if (map.offset != usual.offset) ignore("-o");
-        if (map.clamps) ignore("-clamp");
-        if (map.channel) ignore("-imfchan");
-        if (map.encoding != usual.encoding) ignore("-colorspace");
+    for (const MtlMap& map : source.maps)
         if (!map.file.empty() && !honoursMap(convention, (MtlUse) (&map - source.maps.data())))
             report.ignore("MTL " + std::string(map.key));
-    }
 }
 
 } // namespace dirt

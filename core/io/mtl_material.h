@@ -24,6 +24,10 @@ bool honoursMap(MaterialConvention convention, MtlUse use);
 /// write for all that is opaque, is 1.
 Material materialOf(const MtlMaterial& source, MaterialConvention convention);
 
+/// In wavefront, F0 of the material where it is no metal, and what that is for a specular of 1.
+float dielectricReflectance(const MtlMaterial& source);
+float highestReflectance(const MtlMaterial& source);
+
 /// Reports what of the material has no effect in the convention.
 void reportIgnored(const MtlMaterial& source, MaterialConvention convention, LoadReport& report);
 

@@ -1,7 +1,7 @@
 #include "core/io/scene_builder.h"
 
-#include "core/io/find_file.h"
 #include "core/io/mtl_material.h"
+#include "core/io/mtl_textures.h"
 #include "core/io/place_gltf.h"
 #include "core/io/place_mesh.h"
 
@@ -83,14 +83,7 @@ uint32_t SceneBuilder::addMaterial(const MaterialLibraries::Entry& entry, bool d
     Material material = materialOf(source, entry.convention);
     material.doubleSided = doubleSided;
     warnIfUnseen(library, source, material.opacity);
-    material.diffuseMap = loadTexture(library, source.map(MtlUse::diffuse));
-    // Kd says nothing of what the texture would have shown; often it is black.
-    if (!source.map(MtlUse::diffuse).file.empty() && material.diffuseMap == kNoTexture)
-        material.diffuse = Material().diffuse;
-    material.emissionMap = loadTexture(library, source.map(MtlUse::emission));
-    material.reflectanceMap = loadScalars(library, source.map(MtlUse::specular));
-    material.bumpMap = loadScalars(library, source.map(MtlUse::bump));
-    material.opacityMap = loadOpacity(library, source);
+    addTextures(entry, textures_, report_, material);
     scene_.materials.push_back(std::move(material));
     return place->second;
 }
@@ -107,31 +100,6 @@ void SceneBuilder::warnIfUnseen(const fs::path& library, const MtlMaterial& sour
                          ": more transparent than not, it is not shown at all");
     else
         report_.ignore("MTL d from 1/2 to 1, taken as opaque");
-}
-
-/// The file that a texture statement of \p library names.
-TextureLoader::Source SceneBuilder::sourceOf(const fs::path& library, const MtlMap& map) {
-    const auto file = findFile(library.parent_path(), map.file);
-    return {file ? std::optional<ImageFile>(*file) : std::nullopt, map.file, library, map.line};
-}
-
-uint32_t SceneBuilder::loadTexture(const fs::path& library, const MtlMap& map) {
-    return map.file.empty() ? kNoTexture : textures_.colour(sourceOf(library, map));
-}
-
-uint32_t SceneBuilder::loadScalars(const fs::path& library, const MtlMap& map) {
-    return map.file.empty() ? kNoTexture : textures_.data(sourceOf(library, map));
-}
-
-/// The alpha of map_d, else map_d itself; without one, the alpha of map_Kd.
-uint32_t SceneBuilder::loadOpacity(const fs::path& library, const MtlMaterial& source) {
-    const MtlMap& opacity = source.map(MtlUse::opacity);
-    const auto loadAlpha = [&](const MtlMap& map) {
-        return map.file.empty() ? kNoTexture : textures_.alpha(sourceOf(library, map));
-    };
-    if (opacity.file.empty()) return loadAlpha(source.map(MtlUse::diffuse));
-    const uint32_t alpha = loadAlpha(opacity);
-    return alpha != kNoTexture ? alpha : loadScalars(library, opacity);
 }
 
 /// For each of the file's surfaces its place in the scene; last, that of none.

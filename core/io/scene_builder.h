@@ -57,10 +57,6 @@ private:
                       float opacity);
     uint32_t addSurface(const GltfFile& gltf, size_t index, bool doubleSided);
     uint32_t neutralMaterial(const std::string& name, bool doubleSided);
-    static TextureLoader::Source sourceOf(const std::filesystem::path& library, const MtlMap& map);
-    uint32_t loadTexture(const std::filesystem::path& library, const MtlMap& map);
-    uint32_t loadScalars(const std::filesystem::path& library, const MtlMap& map);
-    uint32_t loadOpacity(const std::filesystem::path& library, const MtlMaterial& source);
 
     Scene& scene_;
     LoadReport& report_;

@@ -14,6 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
 #include <OpenImageIO/imageio.h>
 
 namespace dirt {
@@ -122,11 +125,51 @@ Texture readDataTexture(const DecodedImage& image) {
     return Texture(name, width, height, pixels.finiteColours());
 }
 
+namespace {
+
+/// Whether the three colours are the same everywhere in an 8-bit image, or it has one alone.
+bool isGrey(DecodedImage::Pixels& pixels) {
+    if (pixels.spec.nchannels < 3) return true;
+    if (pixels.spec.format != OIIO::TypeDesc::UINT8) return false;
+    const auto& texels = pixels.all<uint8_t>();
+    for (size_t i = 0; i < texels.size(); i += (size_t) pixels.spec.nchannels)
+        if (texels[i] != texels[i + 1] || texels[i] != texels[i + 2]) return false;
+    return true;
+}
+
+/// See isNormalMap; \p scale brings channels to [0, 1].
+template <typename Channel>
+bool pointsOutwards(const std::vector<Channel>& texels, size_t channels, double scale) {
+    double fromGrey = 0.0, fromUnit = 0.0, height = 0.0;
+    for (size_t i = 0; i < texels.size(); i += channels) {
+        glm::dvec3 v;
+        for (int c = 0; c < 3; ++c) v[c] = 2.0 * scale * (double) texels[i + (size_t) c] - 1.0;
+        const double square = glm::dot(v, v), sum = v.x + v.y + v.z;
+        fromGrey += square - sum * sum / 3.0;
+        fromUnit += (std::sqrt(square) - 1.0) * (std::sqrt(square) - 1.0);
+        height += v.z;
+    }
+    return height > 0.0 && fromUnit < fromGrey;
+}
+
+} // namespace
+
+bool isNormalMap(const DecodedImage& image) {
+    DecodedImage::Pixels& pixels = image.pixels();
+    const auto channels = (size_t) pixels.spec.nchannels;
+    if (channels < 3) return false;
+    if (pixels.spec.format == OIIO::TypeDesc::UINT8)
+        return pointsOutwards(pixels.all<uint8_t>(), channels, 1.0 / 255.0);
+    return pointsOutwards(pixels.all<float>(), channels, 1.0);
+}
+
 ScalarTexture readScalarTexture(const DecodedImage& image, ImageChannel channel) {
     DecodedImage::Pixels& pixels = image.pixels();
     const std::string name = pixels.name.string();
     const int width = pixels.spec.width, height = pixels.spec.height;
-    if (channel == ImageChannel::luminance || channel == ImageChannel::mean) {
+    const bool weighted = channel == ImageChannel::luminance || channel == ImageChannel::mean;
+    if (weighted && isGrey(pixels)) return pixels.scalars(0);
+    if (weighted) {
         const glm::vec3 weights = channel == ImageChannel::mean
                                       ? glm::vec3(1.0f / 3.0f)
                                       : glm::vec3(0.2126f, 0.7152f, 0.0722f);

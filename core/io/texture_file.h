@@ -60,6 +60,11 @@ enum class ImageChannel { red, green, blue, alpha, luminance, mean };
 ScalarTexture readScalarTexture(const DecodedImage& image,
                                 ImageChannel channel = ImageChannel::red);
 
+/// Whether an image that stands for a relief holds normals (2 c - 1 of its channels c) and not
+/// heights: they point out of the surface on the whole, and are nearer to unit length than to grey,
+/// in the sum of squares over all texels.
+bool isNormalMap(const DecodedImage& image);
+
 /// An image's alpha, if it has any that cuts out a part of the image and leaves one: texels below
 /// \p limit and others.
 std::optional<ScalarTexture> readAlpha(const DecodedImage& image, float limit = 0.5f);

@@ -128,6 +128,17 @@ uint32_t TextureLoader::data(const Source& source, const TextureSampling& sampli
         [channel](const DecodedImage& image) { return readScalarTexture(image, channel); });
 }
 
+TextureLoader::Relief TextureLoader::relief(const Source& source, const TextureSampling& sampling,
+                                            ImageChannel channel) {
+    const std::string what = "relief " + std::to_string((int) channel);
+    const Read read = [channel](const DecodedImage& image) -> Result {
+        if (isNormalMap(image)) return readDataTexture(image);
+        return readScalarTexture(image, channel);
+    };
+    return {place(source, what, sampling, scene_.scalarTextures, read),
+            place(source, what, sampling, scene_.textures, read)};
+}
+
 uint32_t TextureLoader::alpha(const Source& source, float limit, const TextureSampling& sampling) {
     return place(source, "alpha" + exactText(limit), sampling, scene_.scalarTextures,
                  [limit](const DecodedImage& image) -> Result {

@@ -49,6 +49,12 @@ public:
     /// In Scene::scalarTextures: one channel of the image.
     uint32_t data(const Source& source, const TextureSampling& sampling = {},
                   ImageChannel channel = ImageChannel::red);
+    /// What an image holds of a relief; the other is kNoTexture.
+    struct Relief {
+        uint32_t heights; ///< in Scene::scalarTextures: one channel
+        uint32_t normals; ///< in Scene::textures, linear, where the image is a normal map
+    };
+    Relief relief(const Source& source, const TextureSampling& sampling, ImageChannel channel);
     /// In Scene::scalarTextures: the image's alpha, if it cuts out a part (see readAlpha).
     uint32_t alpha(const Source& source, float limit = 0.5f, const TextureSampling& sampling = {});
     /// The means of the first three channels, as data.

@@ -78,6 +78,32 @@ TEST_F(Exporter, DefaultsLeaveTheTextureVisible) {
     EXPECT_LT(left.x, 1.5f * left.z);
 }
 
+/// Metals reflect Kd, mirrors that repeat Kd as Ka reflect Ks; all under a white sky, which nothing
+/// else lights.
+TEST_F(Exporter, MirrorsShowWhatTheyReflect) {
+    const auto middle = [&](const std::string& material) {
+        folder_.write("a.mtl", "newmtl m\n" + material);
+        folder_.write("a.obj", "mtllib a.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
+                               "f 1 2 3 4\n");
+        const Image image = render(folder_.write(
+            "a.scene", "<world background='1 1 1' materials='wavefront' microfacet_model='ggx'>"
+                       "<object file='a.obj'/></world>"));
+        return image.pixels[(size_t) (12 * image.width + 16)];
+    };
+    // Schlick's term (1 - c)^5 is below 1e-9 within 0.05 of the axis.
+    const float rounding = 1e-5f;
+    const glm::vec3 gold = middle("Kd .9 .6 .2\nNs 1000\nillum 3\n");
+    EXPECT_NEAR(gold.x, 0.9f, rounding);
+    EXPECT_NEAR(gold.y, 0.6f, rounding);
+    EXPECT_NEAR(gold.z, 0.2f, rounding);
+    const glm::vec3 pure = middle("Kd .9 .6 .2\nPr 0\nPm 1\n");
+    EXPECT_NEAR(pure.y, 0.6f, rounding);
+    const glm::vec3 mirror = middle("Ka 0 0 0\nKd 0 0 0\nKs .75 .75 .75\nNs 1000\nillum 5\n");
+    EXPECT_NEAR(mirror.x, 0.75f, rounding);
+    const glm::vec3 glaze = middle("Kd 0 0 0\nKs .5 .5 .5\nNs 1000\nillum 2\n");
+    EXPECT_NEAR(glaze.x, 0.04f, rounding);
+}
+
 TEST_F(Exporter, InfoSaysWhatWasTakenAndWhy) {
     const std::string file = model("Ks 1 1 1\n");
     const Outcome text = dirt({"info", file, "--size", "32x24"});

@@ -149,11 +149,9 @@ TEST_F(MtlMeaning, NamesWhatHasNoEffect) {
     const std::string all = "Ka 1 1 1\nillum 2\nTr 0\nPr 0\nPm 0\nmetallic 1\nmap_Ns n.png\n"
                             "map_Pr r.png\nmap_Pm m.png\nmap_Kd d.png\nnorm n.png\n";
     EXPECT_EQ(ignored(all, MaterialConvention::demo),
-              (Names{"MTL Ka", "MTL illum", "MTL Tr", "MTL Pr", "MTL Pm", "MTL map_Ns", "MTL norm",
+              (Names{"MTL Ka", "MTL illum", "MTL Tr", "MTL Pr", "MTL Pm", "MTL map_Ns",
                      "MTL map_Pr", "MTL map_Pm"}));
-    EXPECT_EQ(
-        ignored(all, MaterialConvention::wavefront),
-        (Names{"MTL Ka", "MTL metallic", "MTL map_Ns", "MTL norm", "MTL map_Pr", "MTL map_Pm"}));
+    EXPECT_EQ(ignored(all, MaterialConvention::wavefront), (Names{"MTL Ka", "MTL metallic"}));
     EXPECT_EQ(ignored("Ka 1 1 1\nillum 3\n", MaterialConvention::wavefront), Names{});
     EXPECT_EQ(ignored("illum 7\n", MaterialConvention::wavefront),
               Names{"MTL illum 7, its transparency"});

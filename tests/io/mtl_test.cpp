@@ -123,17 +123,18 @@ TEST_F(Mtl, ReadsTheOptionsOfTextures) {
     EXPECT_EQ(all.offset, glm::vec2(0.5f, -0.25f));
     EXPECT_TRUE(all.clamps);
     EXPECT_EQ(all.channel, 'g');
-    EXPECT_EQ(all.encoding, MtlMap::Encoding::linear);
+    EXPECT_TRUE(all.isLinear);
     const MtlMap one = map("map_Kd -s 2 -o 1 -clamp off -colorspace sRGB a.png", MtlUse::diffuse);
     EXPECT_EQ(one.scale, glm::vec2(2, 1));
     EXPECT_EQ(one.offset, glm::vec2(1, 0));
     EXPECT_FALSE(one.clamps);
-    EXPECT_EQ(one.encoding, MtlMap::Encoding::srgb);
+    EXPECT_FALSE(one.isLinear);
+    EXPECT_TRUE(map("map_Ke -colorspace LINEAR a.png", MtlUse::emission).isLinear);
     const MtlMap none = map("map_d a.png", MtlUse::opacity);
     EXPECT_EQ(none.scale, glm::vec2(1, 1));
     EXPECT_EQ(none.offset, glm::vec2(0, 0));
     EXPECT_EQ(none.channel, 0);
-    EXPECT_EQ(none.encoding, MtlMap::Encoding::usual);
+    EXPECT_FALSE(none.isLinear);
     EXPECT_EQ(none.strength, std::nullopt);
 }
 
@@ -145,7 +146,7 @@ TEST_F(Mtl, ListsWhatHasNoEffectOnce) {
     EXPECT_EQ(file.others,
               (Strings{"Kd", "Ni", "unheard", "map_Kd -blendu", "map_Kd -mm", "map_Kd -imfchan",
                        "map_Kd -bm", "map_Pr -imfchan z", "map_Pr -colorspace acescg",
-                       "map_Pr -type", "norm -colorspace", "norm -imfchan"}));
+                       "map_Pr -type", "norm -colorspace sRGB", "norm -imfchan"}));
     EXPECT_EQ(file.materials[0].diffuse, std::nullopt);
 }
 

@@ -236,5 +236,43 @@ INSTANTIATE_TEST_SUITE_P(Formats, DamagedTexture,
                          testing::Values("png", "jpg", "tga", "tif", "bmp", "exr", "hdr", "webp", "ppm"),
                          [](const auto& info) { return std::string(info.param); });
 
+TEST(TextureFile, TellsNormalsFromHeights) {
+    const test::TemporaryFolder folder;
+    const auto isNormals = [&](int channels, OIIO::TypeDesc format,
+                               const std::vector<float>& values) {
+        const char* name = format == kByte ? "a.png" : "a.exr";
+        return isNormalMap(
+            DecodedImage(writeImage(folder.path() / name, channels, format, values)));
+    };
+    const std::vector<float> flat{0.5f, 0.5f, 1.0f};
+    const std::vector<float> tilted{0.5f, 0.5f, 1.0f, 0.85f, 0.5f, 0.857f, 0.3f, 0.2f, 0.845f};
+    const std::vector<float> wood{0.6f, 0.45f, 0.3f, 0.5f, 0.35f, 0.2f};
+    const std::vector<float> heights{0.0f, 0.0f, 0.0f, 0.4f, 0.4f, 0.4f, 1.0f, 1.0f, 1.0f};
+    const std::vector<float> inwards{0.5f, 0.5f, 0.0f};
+    for (const auto format : {kByte, OIIO::TypeDesc::FLOAT}) {
+        EXPECT_TRUE(isNormals(3, format, flat));
+        EXPECT_TRUE(isNormals(3, format, tilted));
+        EXPECT_FALSE(isNormals(3, format, wood));
+        EXPECT_FALSE(isNormals(3, format, heights));
+        EXPECT_FALSE(isNormals(3, format, inwards));
+        EXPECT_FALSE(isNormals(1, format, {0.5f}));
+    }
+    EXPECT_TRUE(isNormals(4, kByte, {0.5f, 0.5f, 1.0f, 1.0f}));
+}
+
+/// A grey image needs no floats for its luminance.
+TEST(TextureFile, KeepsTheLuminanceOfGreyInBytes) {
+    const test::TemporaryFolder folder;
+    const auto luminance = [&](const std::vector<float>& values) {
+        return readScalarTexture(
+            DecodedImage(writeImage(folder.path() / "a.png", 3, kByte, values)),
+            ImageChannel::luminance);
+    };
+    const ScalarTexture grey = luminance({0.2f, 0.2f, 0.2f, 0.6f, 0.6f, 0.6f});
+    EXPECT_EQ(grey.bytes(), 2u);
+    EXPECT_EQ(grey.sample({0.25f, 0.5f}), 0.2f);
+    EXPECT_EQ(luminance({0.2f, 0.2f, 0.2f, 0.6f, 0.6f, 0.2f}).bytes(), 8u);
+}
+
 } // namespace
 } // namespace dirt
