@@ -49,7 +49,7 @@ void chooseMaterials(MaterialConvention convention, const std::vector<Model>& mo
                      std::vector<Placed>& list) {
     const auto isObj = [](const Model& m) { return std::holds_alternative<ObjFile>(m.file); };
     if (std::none_of(models.begin(), models.end(), isObj))
-        throw InputError("--materials has no effect: there is no OBJ file");
+        throw InputError("--materials: has no effect without an OBJ file");
     for (Placed& placed : list) placed.materials = {MaterialChoice::By::option, convention};
 }
 

@@ -31,9 +31,15 @@ MaterialLibraries::Library MaterialLibraries::of(const ObjFile& obj, const Mater
             }
         }
         if (!found) missing = {name.text};
+        std::string standIn;
+        if (!found)
+            if (const auto beside = findFile(folder, obj.file.stem().string() + ".mtl")) {
+                read(*beside, choice, library);
+                standIn = "; " + inQuotes(beside->filename().string()) + " stands in";
+            }
         for (const std::string& text : missing)
             report_.warn(WarningKind::missingMaterialLibrary, obj.file, name.line,
-                         "material file " + inQuotes(text) + " not found");
+                         "material file " + inQuotes(text) + " not found" + standIn);
     }
     return library;
 }

@@ -26,7 +26,8 @@ public:
     using Library = std::map<std::string, Entry>;
 
     /// Every material of the files that mtllib names, by its name; of equal names the first counts.
-    /// A missing file is a warning. Throws InputError where a file cannot be read.
+    /// A missing file is a warning; as in Blender, one beside the OBJ file that has its name stands
+    /// in. Throws InputError where a file cannot be read.
     Library of(const ObjFile& obj, const MaterialChoice& choice);
 
     /// What was read, each file once for every way it was taken.

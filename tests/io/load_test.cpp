@@ -169,6 +169,17 @@ TEST_F(Load, SeveralLibrariesOnALine) {
     EXPECT_EQ(loaded.scene.materials[1].diffuse, glm::vec3(0, 0, 1));
 }
 
+TEST_F(Load, TheLibraryOfTheModelsNameStandsInForAMissingOne) {
+    folder_.write("test.mtl", "newmtl m\nKd 1 0 0\n");
+    const std::string text = "usemtl m\n" + kTriangle;
+    const LoadedScene loaded = loadObj("mtllib gone.mtl\n" + text);
+    EXPECT_EQ(loaded.scene.materials[0].diffuse, glm::vec3(1, 0, 0));
+    ASSERT_EQ(loaded.warnings.size(), 1u);
+    EXPECT_EQ(loaded.warnings[0].text, path("test.obj") + ":1: material file 'gone.mtl' not found; "
+                                                          "'test.mtl' stands in");
+    EXPECT_EQ(loadObj(text).warnings.size(), 1u) << "no library is named: no material is defined";
+}
+
 TEST_F(Load, WarnsOnceOfEachThingThatIsMissing) {
     folder_.write("damaged.png", "no image");
     folder_.write("a.mtl", "newmtl a\nKd 0 0 0\nmap_Kd none.png\n\nnewmtl b\nmap_Kd none.png\n"

@@ -2,10 +2,13 @@
 
 #include "core/io/load.h"
 #include "tests/io/input_error.h"
+#include "tests/io/test_scenes.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace dirt {
@@ -122,7 +125,7 @@ TEST_F(Convention, OptionWithoutAnObjFileIsRefused) {
         "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":
         "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
     EXPECT_EQ(inputError([&] { load(gltf, kDemo); }),
-              "--materials has no effect: there is no OBJ file");
+              "--materials: has no effect without an OBJ file");
     EXPECT_EQ(inputError([&] { load(gltf); }), "");
     EXPECT_EQ(error("<world><object file='a.gltf'/><object file='a.obj'/></world>", kDemo), "");
 }
@@ -146,6 +149,49 @@ TEST_F(Convention, SurfacesTooTransparentToShowAreNamed) {
     const LoadedScene opaque = load(folder_ / "a.obj");
     EXPECT_TRUE(opaque.warnings.empty());
     EXPECT_EQ(opaque.ignored, std::vector<std::string>{"MTL d from 1/2 to 1, taken as opaque"});
+}
+
+/// Files that other programs have written, and what their makers see in them.
+class RealMaterials : public testing::Test {
+protected:
+    /// The only material that some triangle has, of a file that is taken as other programs mean it.
+    Material load(const std::filesystem::path& file, size_t triangle = 0) {
+        loaded_ = loadScene(file);
+        EXPECT_EQ(loaded_.materialFiles.at(0).convention, kWavefront);
+        return loaded_.scene.materials[loaded_.scene.mesh.materials.at(triangle)];
+    }
+
+    LoadedScene loaded_;
+};
+
+TEST_F(RealMaterials, OfMeshLabShowTheirTexture) {
+    const auto folder = modelsFolder() / "trimesh";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no models at " << folder;
+    const Material fuze = load(folder / "fuze.obj"); // Ks 1, Ns 0, Tr 1
+    EXPECT_NE(fuze.diffuseMap, kNoTexture);
+    EXPECT_EQ(fuze.reflectance, 0.08f);
+    EXPECT_EQ(fuze.roughness, 1.0f);
+    EXPECT_EQ(fuze.opacity, 1.0f);
+    EXPECT_TRUE(loaded_.warnings.empty());
+    EXPECT_EQ(load(folder / "capsule.obj").opacity, 1.0f); // Tr 1, too
+    const Material box = load(folder / "box.obj");         // Blender's: Ks .5, Ns 324
+    EXPECT_EQ(box.reflectance, 0.04f);
+    EXPECT_NEAR(box.roughness, std::pow(1.0 - std::sqrt(0.324), 2.0), 1e-6);
+}
+
+TEST_F(RealMaterials, OfTheCornellBoxesHaveTheirMirrors) {
+    const auto folder = scenesFolder() / "cornell-boxes";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no scenes at " << folder;
+    load(folder / "CornellBox-Mirror.obj");
+    const auto& materials = loaded_.scene.materials;
+    const auto mirror = std::find_if(materials.begin(), materials.end(),
+                                     [](const Material& m) { return m.name == "tallBox"; });
+    ASSERT_NE(mirror, materials.end());
+    EXPECT_FLOAT_EQ(mirror->reflectance, 0.95f);
+    EXPECT_EQ(mirror->roughness, 0.0f);
+    EXPECT_EQ(std::count_if(materials.begin(), materials.end(),
+                            [](const Material& m) { return m.reflectance > 0.0f; }),
+              1);
 }
 
 } // namespace

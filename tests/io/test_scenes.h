@@ -12,6 +12,13 @@ inline std::filesystem::path scenesFolder() {
     return std::filesystem::path(DIRT_SOURCE_DIR) / "../shared/scenes";
 }
 
+/// Folder of other programs' models: $DIRT_MODELS, else ../shared/models beside the repository. It
+/// need not be there.
+inline std::filesystem::path modelsFolder() {
+    if (const char* folder = std::getenv("DIRT_MODELS")) return folder;
+    return std::filesystem::path(DIRT_SOURCE_DIR) / "../shared/models";
+}
+
 /// Folder of the 2017 demo's scene and material files: $DIRT_DEMO2017, else ../shared/demo2017
 /// beside the repository. It need not be there.
 inline std::filesystem::path demoFolder() {
