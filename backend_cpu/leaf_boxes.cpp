@@ -1,5 +1,7 @@
 #include "backend_cpu/leaf_boxes.h"
 
+#include "shaders/shared/margins.h"
+
 #include <algorithm>
 #include <cfloat>
 
@@ -13,7 +15,7 @@ LeafBox boxOfCell(const Grid& grid, int view, int tile, int bin) {
     const BinMap map(bounds, grid.settings.bins);
     // (w - near) scale has three roundings, of 2^-24 each, and the sums here one more; all lie
     // within 2^-21 of the far depth.
-    const float slack = 0x1p-21f * bounds.far;
+    const float slack = kCellSlack * bounds.far;
     const float thickness = map.scale > 0.0f ? 1.0f / map.scale : FLT_MAX;
     const float near =
         bin == 0 ? bounds.near : std::max(bounds.near, bounds.near + bin * thickness - slack);

@@ -10,6 +10,7 @@
 
 #include "backend_cpu/leaves.h"
 #include "core/trace/ray.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,29 +50,30 @@ struct LeafRay {
         const float ax = std::abs(d.x), ay = std::abs(d.y), az = std::abs(d.z);
         const float largest = std::max({ax, ay, az});
         const float away = std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)});
+        // So that no product under- or overflows.
         if (!(largest >= 0x1p-40f && largest <= 0x1p40f && away <= 0x1p20f)) return false;
         z = ax > ay ? (ax > az ? 0 : 2) : (ay > az ? 1 : 2);
         x = (z + 1) % 3;
         y = (z + 2) % 3;
         slopeX = d[x] / d[z];
         slopeY = d[y] / d[z];
-        lateralError = 0x1p-21f * (2.0f + away);
+        lateralError = kLateralError * (2.0f + away);
         for (int i = 0; i < 3; ++i) {
-            const float magnitude = std::max(std::abs(d[i]), 0x1p-40f * largest);
+            const float magnitude = std::max(std::abs(d[i]), kLeastDirection * largest);
             sign[i] = d[i] < 0.0f;
             origin[i] = o[i];
             inverse[i] = (sign[i] ? -1.0f : 1.0f) / magnitude;
-            pad[i] = 0x1p-21f * (8.0f + std::abs(o[i])) * std::abs(inverse[i]);
+            pad[i] = kBoxPad * (8.0f + std::abs(o[i])) * std::abs(inverse[i]);
         }
         return true;
     }
 
     /// Looks only at parameters from \p from to \p to.
     void setPart(double from, double to) {
-        begin = (float) (from * (1.0 - 0x1p-22));
+        begin = (float) (from * (1.0 - kPartSlack));
         setEnd(to);
     }
-    void setEnd(double to) { end = (float) std::min(to * (1.0 + 0x1p-22), 0x1p120); }
+    void setEnd(double to) { end = (float) std::min(to * (1.0 + kPartSlack), 0x1p120); }
 
     /// False only if core's RayFilter is certain of a miss, number for number; without its
     /// branches, which none foresees.
@@ -92,7 +94,7 @@ struct LeafRay {
         const float v = cx * ay - cy * ax;
         const float w = ax * by - ay * bx;
         const float largest = std::max(std::max(-lowX, highX), std::max(-lowY, highY));
-        const float error = largest * (4.0f * lateralError + 0x1p-21f * largest);
+        const float error = largest * (4.0f * lateralError + kAreaError * largest);
         const bool beside = (lowX > lateralError) | (highX < -lateralError) |
                             (lowY > lateralError) | (highY < -lateralError);
         return !(beside | ((most(u, v, w) > error) & (least(u, v, w) < -error)));

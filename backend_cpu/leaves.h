@@ -3,7 +3,6 @@
 #include "core/frame/executor.h"
 #include "core/grid/grid.h"
 
-#include <algorithm>
 #include <bit>
 #include <cfloat>
 #include <cstdint>
@@ -49,7 +48,7 @@ struct TileDepths {
 
     TileDepths() = default;
     explicit TileDepths(const DepthBounds& bounds)
-        : near(bounds.near), far(bounds.far), partsPerDepth(BinMap(bounds, kParts).scale) {}
+        : near(bounds.near), far(bounds.far), partsPerDepth(binsPerDepth(near, far, kParts)) {}
 
     /// The parts that depths [\p low, \p high] meet: monotone in both. A call would cost the walk
     /// more than this does.
@@ -59,8 +58,7 @@ struct TileDepths {
 
 private:
     [[gnu::always_inline]] int partOf(float depth) const {
-        const float part = (depth - near) * partsPerDepth;
-        return (int) std::min(std::max(part, 0.0f), (float) (kParts - 1));
+        return binOf(depth, near, partsPerDepth, kParts);
     }
 };
 

@@ -1,5 +1,7 @@
 #include "backend_cpu/light_cone.h"
 
+#include "shaders/shared/margins.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,10 +10,6 @@
 
 namespace dirt {
 namespace {
-
-/// Wider than what the rounding of axis and angle, 2^-22 each, may cost: rays beside the rectangles
-/// would be traced in the ordinary way.
-constexpr double kSlack = 0x1p-16;
 
 /// Blocks along a face by which rectangles are found where a cone reaches around the face.
 constexpr int kBlocks = 16;
@@ -27,7 +25,7 @@ Slopes slopesOf(const LightCone& cone, double x, double w) {
     const double a = w * w - sine * sine;
     if (!(w > sine) || !(a > 1e-6)) return {-1.0, 1.0};
     const double root = sine * std::sqrt(std::max(0.0, x * x + w * w - sine * sine));
-    return {(x * w - root) / a - kSlack, (x * w + root) / a + kSlack};
+    return {(x * w - root) / a - kLightConeSlack, (x * w + root) / a + kLightConeSlack};
 }
 
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
@@ -55,7 +53,7 @@ LightCone::LightCone(const Spotlight& light, const GridFrame& frame)
     if (!light.conical)
         halfAngle = halfAngle < 1.57 ? std::atan(std::numbers::sqrt2 * std::tan(halfAngle))
                                      : std::numbers::pi / 2;
-    halfAngle = std::min(halfAngle + kSlack, std::numbers::pi);
+    halfAngle = std::min(halfAngle + kLightConeSlack, std::numbers::pi);
 }
 
 double LightCone::part() const {
@@ -86,7 +84,7 @@ uint32_t setFaces(const LightCone& cone, int roots, std::array<LightFace, 6>& fa
             for (int corner = 0; corner < 4; ++corner)
                 radius = std::max(radius, angleBetween(middle, {s + (corner & 1) * width,
                                                                 t + (corner >> 1) * width, 1.0}));
-            if (angleBetween(middle, axis) > cone.halfAngle + radius + kSlack) continue;
+            if (angleBetween(middle, axis) > cone.halfAngle + radius + kLightConeSlack) continue;
             x = {std::min(x.low, s), std::max(x.high, s + width)};
             y = {std::min(y.low, t), std::max(y.high, t + width)};
         }

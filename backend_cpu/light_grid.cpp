@@ -2,6 +2,7 @@
 
 #include "backend_cpu/light_cone.h"
 #include "backend_cpu/light_raster.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,6 @@ constexpr size_t kTrianglesPerPiece = 1024;
 
 /// More triangles than this beside the light, which every ray tests, are no gain.
 constexpr size_t kMostClose = 16;
-
-/// Triangles that come nearer to the light than this part of `reach` are `close`, and tested by all
-/// rays: where they may be met is too far from where a ray is looked up (kLightRim).
-constexpr float kNearest = 0x1p-11f;
 
 /// Each bucket of tiles is some thread's: their heads, and their lists.
 void fillLists(Executor& executor, LightGrid& grid) {
@@ -72,7 +69,7 @@ void fillLightGrid(const FrameGeometry& geometry, const Spotlight& light, Execut
                                   std::abs(grid.position.z)});
     if (!(grid.reach < 0x1p20f)) return;
     const LightCone cone(light, geometry.frame);
-    grid.nearest = kNearest * grid.reach;
+    grid.nearest = kLightNearest * grid.reach;
     makeLightTree(geometry, grid.position, cone, executor, grid.tree);
 
     grid.records.resize(count);

@@ -30,7 +30,7 @@ bool mayBeWithin(const LightTriangle& t, double distance) {
         if (-t.v[0][i] > distance && -t.v[1][i] > distance && -t.v[2][i] > distance) return false;
     }
     // The plane's distance; what is added covers the errors stated with LightTriangle.
-    const double error = 0x1p-46 * t.length * t.length;
+    const double error = kLightError * t.length * t.length;
     return std::abs(t.determinant) - error * t.size <= distance * (sum(t.normal) + error);
 }
 
@@ -100,7 +100,8 @@ LightTriangle::LightTriangle(const Triangle& t, const glm::vec3& light) {
     determinant = glm::dot(v[0], normal);
     length = std::max(largest(ab), largest(ac));
     size = std::max({largest(v[0]), largest(v[1]), largest(v[2])});
-    edgeOn = !(std::abs(determinant) > (0x1p-46 * length * length + 0x1p-49 * sum(normal)) * size);
+    const double error = kLightError * length * length + kLightNormalError * sum(normal);
+    edgeOn = !(std::abs(determinant) > error * size);
 }
 
 LightPlanes::LightPlanes(const LightTriangle& triangle, const LightFace& face, double guard)
@@ -113,7 +114,7 @@ LightPlanes::LightPlanes(const LightTriangle& triangle, const LightFace& face, d
         const glm::dvec3 n = orientation * triangle.edges[i];
         const double nx = n[face.axisX];
         const bool clear =
-            !triangle.edgeOn && std::abs(nx) > 0x1p-24 * triangle.size * triangle.size;
+            !triangle.edgeOn && std::abs(nx) > kLightEdgeClear * triangle.size * triangle.size;
         edges_[i] = {n[face.axisY], face.signW * n[face.axisW], clear ? -1.0 / nx : 0.0,
                      clear ? nx > 0.0 ? 1 : -1 : 0};
     }
@@ -122,7 +123,7 @@ LightPlanes::LightPlanes(const LightTriangle& triangle, const LightFace& face, d
     const glm::dvec3 n = orientation * triangle.normal;
     inverseDepth_ = {n[face.axisX], n[face.axisY], face.signW * n[face.axisW]};
     depth_ = std::abs(triangle.determinant);
-    const double area = 0x1p-22 * triangle.length * triangle.length;
+    const double area = kLightDepthClear * triangle.length * triangle.length;
     unclear_ = depth_ > area * triangle.size ? area : HUGE_VAL;
 }
 

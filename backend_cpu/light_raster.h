@@ -1,6 +1,7 @@
 #pragma once
 
 #include "backend_cpu/light_grid.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,19 +22,11 @@ namespace dirt {
 /// How many places beside a triangle's part no nearer than \p near a ray may be looked up that
 /// meets it.
 inline double lightGuard(double reach, double near) {
-    return reach * (1.0 + 0x1p-8) / near + 4.0;
+    return reach * (1.0 + kLightGuard) / near + kLightPlaces;
 }
-
-/// Nothing listed is nearer than 2^-11 of the reach (light_grid.cpp), so all that rays meet is
-/// within 2^11 (1 + 2^-8) + 4 places, some 2^-12 of slope, of where they are looked up. Triangles
-/// that stay nearly twice as far within a face are in no other's lists.
-inline constexpr double kLightRim = 0x1p-11;
 
 /// Ranges of no more nodes are listed whole, without a look at edges.
 inline constexpr int kSmallLightRange = 2;
-
-/// Depths rounded to float stay below what they bound.
-inline constexpr double kBelow = 1.0 - 0x1p-20;
 
 /// A triangle seen from the light: vertices less its position, and what follows from them, in
 /// double. With |.| the largest component's norm, size and length as below, u = 2^-53: differences
@@ -131,7 +124,7 @@ public:
                                         (uint32_t) (box.x0 >> shift & 3)];
             }
             const int x = box.x0 >> shift << shift, y = box.y0 >> shift << shift;
-            return emit_(node, (float) (least_ * kBelow), box.in(x, y, shift));
+            return emit_(node, (float) (least_ * (1.0 - kLightBelow)), box.in(x, y, shift));
         }
         listIn({face_.firstNode, face_.column << shift, face_.row << shift, face_.columns,
                 face_.rows, shift},
@@ -180,7 +173,7 @@ private:
                 }
                 const double near =
                     planes_ ? std::max(least_, planes_->near(x, y, 1 << shift)) : least_;
-                emit_(node, (float) (near * kBelow), box.in(x, y, shift));
+                emit_(node, (float) (near * (1.0 - kLightBelow)), box.in(x, y, shift));
             }
         }
     }

@@ -68,8 +68,7 @@ struct LightRay {
         const uint32_t inX = (uint32_t) (x >> (shift - kUnitBits)) & last;
         const uint32_t inY = (uint32_t) (y >> (shift - kUnitBits)) & last;
         place = inX | (last - inX) << 8 | inY << 16 | (last - inY) << 24;
-        // A point of the ray is at most (1 + 2^-24) as deep as its origin.
-        depth = distance * (1.0f + 0x1p-20f);
+        depth = distance * (1.0f + kLightBeyond);
         hwy::Prefetch(&grid.heads[tile]);
     }
     bool looksUp() const { return tile != kNoTile; }

@@ -1,7 +1,5 @@
 #include "backend_cpu/list_bins.h"
 
-#include <algorithm>
-
 // Compiles what follows once for each instruction set that Highway knows on this architecture.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "backend_cpu/list_bins.cpp"
@@ -32,7 +30,7 @@ void FindCells(std::span<const Fragment> fragments, uint32_t firstTile, int bins
         const V from = hn::GatherIndex(d, maps.near.data(), local);
         const V scale = hn::GatherIndex(d, maps.scale.data(), local);
         const VI cell = hn::Mul(local, hn::Set(di, bins));
-        const auto bin = [&](V w) HWY_ATTR {
+        const auto bin = [&](V w) HWY_ATTR { // binOf
             const V at = hn::Mul(hn::Sub(w, from), scale);
             return hn::ConvertTo(di, hn::Min(hn::Max(at, hn::Zero(d)), lastBin));
         };
@@ -43,8 +41,7 @@ void FindCells(std::span<const Fragment> fragments, uint32_t firstTile, int bins
         const Fragment& fragment = fragments[i];
         const uint32_t tile = fragment.tile - firstTile;
         const auto bin = [&](float w) {
-            const float at = (w - maps.near[tile]) * maps.scale[tile];
-            return (uint32_t) std::min(std::max(at, 0.0f), (float) (bins - 1));
+            return (uint32_t) binOf(w, maps.near[tile], maps.scale[tile], bins);
         };
         firstCell[i] = tile * (uint32_t) bins + bin(fragment.near);
         lastCell[i] = tile * (uint32_t) bins + bin(fragment.far);

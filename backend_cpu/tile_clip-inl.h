@@ -10,6 +10,7 @@
 
 #include "backend_cpu/raster_tables.h"
 #include "backend_cpu/simd_mask-inl.h"
+#include "shaders/shared/margins.h"
 
 #include <cfloat>
 
@@ -47,7 +48,7 @@ HWY_INLINE Floats roundNear(Doubles near) {
     const DoubleTag d;
     const hn::RebindToSigned<DoubleTag> di;
     const FloatTag df;
-    const Doubles x = hn::Min(hn::Mul(near, hn::Set(d, 1.0 - 0x1p-22)), hn::Set(d, FLT_MAX));
+    const Doubles x = hn::Min(hn::Mul(near, hn::Set(d, 1.0 - kDepthMargin)), hn::Set(d, FLT_MAX));
     const Doubles down =
         hn::BitCast(d, hn::And(hn::BitCast(di, x), hn::Set(di, ~((int64_t(1) << 29) - 1))));
     return hn::DemoteTo(df, hn::IfThenElseZero(hn::Ge(x, hn::Set(d, FLT_MIN)), down));
@@ -56,7 +57,7 @@ HWY_INLINE Floats roundFar(Doubles far) {
     const DoubleTag d;
     const hn::RebindToSigned<DoubleTag> di;
     const FloatTag df;
-    const Doubles x = hn::Min(hn::Mul(far, hn::Set(d, 1.0 + 0x1p-22)), hn::Set(d, FLT_MAX));
+    const Doubles x = hn::Min(hn::Mul(far, hn::Set(d, 1.0 + kDepthMargin)), hn::Set(d, FLT_MAX));
     const auto below = hn::Set(di, (int64_t(1) << 29) - 1);
     const Doubles up = hn::BitCast(d, hn::AndNot(below, hn::Add(hn::BitCast(di, x), below)));
     return hn::DemoteTo(df, hn::Max(up, hn::Set(d, FLT_MIN)));
@@ -158,7 +159,7 @@ private:
         const Doubles x = hn::Mul(n.x, v.x), y = hn::Mul(n.y, v.y), z = hn::Mul(n.z, v.z);
         const Doubles value = sum3(x, y, z);
         const Doubles size = sum3(hn::Abs(x), hn::Abs(y), hn::Abs(z));
-        certain = hn::Gt(hn::Abs(value), hn::Mul(hn::Set(d, 0x1p-26), size));
+        certain = hn::Gt(hn::Abs(value), hn::Mul(hn::Set(d, kSignDoubt), size));
         return value;
     }
 
@@ -252,7 +253,7 @@ private:
         const DoubleTag d;
         const Doubles value = sum3(x, y, n.z);
         const Doubles size = sum3(hn::Abs(x), hn::Abs(y), hn::Abs(n.z));
-        const Mask certain = hn::Gt(hn::Abs(value), hn::Mul(hn::Set(d, 0x1p-26), size));
+        const Mask certain = hn::Gt(hn::Abs(value), hn::Mul(hn::Set(d, kSignDoubt), size));
         doubt_ = hn::Or(doubt_, hn::Not(hn::Or(certain, flat)));
         return value;
     }

@@ -8,6 +8,7 @@
 #endif
 
 #include "backend_cpu/tracer.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <array>
@@ -75,10 +76,10 @@ struct ViewParts {
                     const V t = hn::Neg(hn::Div(a, b));
                     const auto enters = hn::Gt(b, zero), leaves = hn::Lt(b, zero);
                     const auto outside = hn::And(hn::Eq(b, zero), hn::Lt(a, zero));
-                    begin = hn::IfThenElse(
-                        enters, hn::Max(begin, hn::Mul(t, hn::Set(tag, 1.0 - 0x1p-49))), begin);
-                    end = hn::IfThenElse(
-                        leaves, hn::Min(end, hn::Mul(t, hn::Set(tag, 1.0 + 0x1p-49))), end);
+                    const V early = hn::Mul(t, hn::Set(tag, 1.0 - kCrossingSlack));
+                    const V late = hn::Mul(t, hn::Set(tag, 1.0 + kCrossingSlack));
+                    begin = hn::IfThenElse(enters, hn::Max(begin, early), begin);
+                    end = hn::IfThenElse(leaves, hn::Min(end, late), end);
                     end = hn::IfThenElse(outside, hn::Set(tag, -1.0), end);
                 }
             }
@@ -185,12 +186,13 @@ HWY_INLINE void walkTiles(const TracedView& view, const ViewPart& part, const do
         const bool last = !(end < part.end);
         if (last) end = part.end, exitDepth = depthAtEnd;
         const TileDepths& bounds = view.depths[tile];
-        const float near = (float) (std::min(depth, exitDepth) * (1.0 - 0x1p-21));
-        const float far = (float) std::min(std::max(depth, exitDepth) * (1.0 + 0x1p-21), 0x1p100);
+        const float near = (float) (std::min(depth, exitDepth) * (1.0 - kVisitDepthSlack));
+        const float far =
+            (float) std::min(std::max(depth, exitDepth) * (1.0 + kVisitDepthSlack), 0x1p100);
         if (((bounds.near <= far) & (near <= bounds.far)) &&
             (bounds.occupied & bounds.parts(near, far)) != 0)
-            visit(Visit{begin, end * (1.0 + 0x1p-48), near, far, tile});
-        begin = std::max(begin, end * (1.0 - 0x1p-48));
+            visit(Visit{begin, end * (1.0 + kVisitSlack), near, far, tile});
+        begin = std::max(begin, end * (1.0 - kVisitSlack));
         depth = exitDepth;
         return !last;
     };

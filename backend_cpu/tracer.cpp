@@ -1,9 +1,9 @@
 #include "backend_cpu/tracer.h"
 
-#include "core/grid/denormals.h"
 #include "core/trace/holes.h"
 #include "core/trace/intersect.h"
 #include "core/trace/plain_intersect.h"
+#include "shaders/shared/hit_rules.h"
 
 #include <array>
 #include <cfloat>
@@ -19,11 +19,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace dirt::HWY_NAMESPACE {
-
-/// What is beyond t when all that lies before it has been seen (core's traverse.cpp).
-inline double beyond(float t) {
-    return (double) t * (1.0 + 2.0 * kRelativeErrorT) + (double) FLT_MIN;
-}
 
 /// The decision that the settings ask for.
 inline bool decide(const LeafTracer& tracer, const Ray& ray, const Triangle& triangle,
@@ -155,20 +150,17 @@ public:
             ++counts.exact;
             TriangleHit hit;
             if (!decide(tracer_, ray_, triangle, hit)) return;
-            const bool nearer =
-                !best.found() || hit.t < best.t || (hit.t == best.t && id < best.primitive);
-            if (!nearer || !seen_.holds(hit.t) ||
+            if (!isNearer(hit.t, id, best.t, best.primitive) || !seen_.holds(hit.t) ||
                 !isHit(tracer_.geometry, ray_.direction, id, hit.u, hit.v))
                 return;
             best = {id, hit.t, hit.u, hit.v, 0, 0};
-            limit = beyond(hit.t);
+            limit = upperBound(hit.t);
             located_ = false;
         }
         if (located_) return;
         best.view = (uint32_t) view_;
         best.tile = (uint32_t) tile_;
-        const double error = (double) best.t * kRelativeErrorT + (double) FLT_MIN;
-        located_ = begin_ <= best.t + error && best.t - error <= end_;
+        located_ = mayHold(begin_, end_, best.t);
     }
 
     Hit best;
@@ -186,7 +178,7 @@ private:
 class AnyQuery {
 public:
     AnyQuery(const LeafTracer& tracer, const Ray& ray, float maxT)
-        : limit(beyond(maxT)), tracer_(tracer), ray_(ray), maxT_(maxT) {
+        : limit(upperBound(maxT)), tracer_(tracer), ray_(ray), maxT_(maxT) {
         if (tracer.cone) seen_ = tracer.cone->part(ray);
     }
 
@@ -221,14 +213,6 @@ private:
     float maxT_;
     ViewCone::Part seen_{0.0f, FLT_MAX};
 };
-
-inline Ray flushedRay(Ray ray) {
-    for (int i = 0; i < 3; ++i) {
-        ray.origin[i] = flushed(ray.origin[i]);
-        ray.direction[i] = flushed(ray.direction[i]);
-    }
-    return ray;
-}
 
 /// Rays that go on to core at once: those from the eye where triangles hold it.
 inline bool needsCore(const LeafTracer& tracer, const Ray& ray) {
@@ -356,7 +340,7 @@ LeafTracer::LeafTracer(const FrameGeometry& geometry, const Grid& grid, const Le
         viewTable.rim[0][0][lane] = view.s.front(), viewTable.rim[0][1][lane] = view.s.back();
         viewTable.rim[1][0][lane] = view.t.front(), viewTable.rim[1][1][lane] = view.t.back();
         const double rim = std::min(view.s.back(), view.t.back());
-        viewTable.nearest[lane] = 0x1p-26 * std::max(1.0, 1.0 / rim);
+        viewTable.nearest[lane] = kNearestWalked * std::max(1.0, 1.0 / rim);
         // In full mode a part of one point is the begin or end of a neighbour's.
         viewTable.atLeast[lane] = lane >= grid.views.size()         ? HUGE_VAL
                                   : settings.mode == ViewMode::full ? 0.0

@@ -1,6 +1,7 @@
 #include "backend_cpu/without_area.h"
 
 #include "core/trace/determinant.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 
@@ -43,7 +44,8 @@ void FindThin(std::span<const Triangle> triangles, uint8_t* result) {
         for (int x = 0; x < 3; ++x) {
             const int y = (x + 1) % 3;
             const V first = hn::Mul(b[x], c[y]), second = hn::Mul(b[y], c[x]);
-            const V bound = hn::Mul(hn::Set(d, 0x1p-49), hn::Add(hn::Abs(first), hn::Abs(second)));
+            const V bound =
+                hn::Mul(hn::Set(d, kThinDoubt), hn::Add(hn::Abs(first), hn::Abs(second)));
             thin = hn::AndNot(hn::Gt(hn::Abs(hn::Sub(first, second)), bound), thin);
         }
         const uint32_t bits = simdMaskBits(d, thin);

@@ -3,8 +3,8 @@
 // pool has no room for are counted, not written; the pass is run again over a larger one.
 
 #include "include/proposed_tile.glsl"
-#include "include/bins.glsl"
 #include "include/nodes.glsl"
+#include "shared/bins.h"
 
 /// Depth bounds (-near, far).
 layout(binding = 2) uniform sampler2DArray pyramid;
@@ -22,8 +22,9 @@ void main() {
     vec2 depths;
     if (!tileLists(tile, depths)) discard;
     vec2 bounds = texelFetch(pyramid, ivec3(tile, view), 0).xy;
-    BinMap map = binMap(vec2(-bounds.x, bounds.y), grid.bins);
-    int first = binOf(map, depths.x, grid.bins), last = binOf(map, depths.y, grid.bins);
+    float perDepth = binsPerDepth(-bounds.x, bounds.y, grid.bins);
+    int first = binOf(depths.x, -bounds.x, perDepth, grid.bins);
+    int last = binOf(depths.y, -bounds.x, perDepth, grid.bins);
 
     uint count = uint(last - first + 1);
     uint node = imageAtomicAdd(counters, 0, count);

@@ -10,8 +10,8 @@
 
 #include "include/search.glsl"
 #include "include/view_walk.glsl"
-#include "include/bins.glsl"
 #include "include/nodes.glsl"
+#include "shared/bins.h"
 
 layout(local_size_x = 64) in;
 
@@ -63,16 +63,22 @@ layout(location = 7) uniform uint firstPixel; // paths: that of the first ray
 const int kBegin = 0, kEye = 1, kNextView = 2, kStep = 3, kLeave = 4, kOpen = 5, kList = 6,
           kDone = 7;
 
+/// BinMap of core/grid/grid.h.
+struct BinMap {
+    float near, perDepth;
+};
+
+int binOf(BinMap map, float w) {
+    return binOf(w, map.near, map.perDepth, grid.bins);
+}
+
 /// The last bin that the ray enters before search.limit.
 int lastBin(Search search, BinMap map, int view, TileVisit visit, bool receding, int last) {
     if (!(search.limit < visit.end)) return last;
     double origin = double(toView(view, search.ray.origin).z);
-    precise double growth = search.limit * double(toView(view, search.ray.direction).z);
-    precise double depth = origin + growth;
-    precise double error = powerOfTwo(-51) * (abs(origin) + abs(growth));
-    precise double beyond = receding ? depth + error : depth - error;
-    return receding ? min(last, binOf(map, roundUp(beyond), grid.bins))
-                    : max(last, binOf(map, roundDown(beyond), grid.bins));
+    precise double depth = origin + search.limit * double(toView(view, search.ray.direction).z);
+    return receding ? min(last, binOf(map, roundUp(depth)))
+                    : max(last, binOf(map, roundDown(depth)));
 }
 
 uint headOf(int view, ivec2 tile, int bin) {
@@ -139,13 +145,13 @@ void openTile(inout Walker w, Search search) {
     w.phase = kLeave;
     if (!offerTile(w.walk, w.exit, w.visit)) return;
     vec2 bounds = texelFetch(pyramid, ivec3(w.walk.tile, w.walk.view), 0).xy;
-    w.map = binMap(vec2(-bounds.x, bounds.y), grid.bins);
+    w.map = BinMap(-bounds.x, binsPerDepth(-bounds.x, bounds.y, grid.bins));
     w.receding = toView(w.walk.view, search.ray.direction).z >= 0.0;
-    w.last = binOf(w.map, w.receding ? w.visit.far : w.visit.near, grid.bins);
+    w.last = binOf(w.map, w.receding ? w.visit.far : w.visit.near);
     w.last = lastBin(search, w.map, w.walk.view, w.visit, w.receding, w.last);
     w.phase = kList;
     if (again) return;
-    int first = binOf(w.map, w.receding ? w.visit.near : w.visit.far, grid.bins);
+    int first = binOf(w.map, w.receding ? w.visit.near : w.visit.far);
     w.bin = w.receding ? first - 1 : first + 1; // the list before it has no more entries
     w.at = kNoNode;
 }
@@ -190,11 +196,7 @@ void testCandidate(inout Walker w, inout Search search, Candidate candidate) {
         if (!search.located) {
             search.best.view = uint(w.walk.view);
             search.best.tile = uint(w.visit.tile.y * grid.columns + w.visit.tile.x);
-            precise double error =
-                double(search.best.t) * double(kRelativeErrorT) + double(kSmallestNormal);
-            precise double early = double(search.best.t) + error;
-            precise double late = double(search.best.t) - error;
-            search.located = w.visit.begin <= early && late <= w.visit.end;
+            search.located = mayHold(w.visit.begin, w.visit.end, search.best.t);
         }
     }
     if (search.limit < 0.0LF) w.phase = kDone;

@@ -3,6 +3,7 @@
 #include "core/dump/channels.h"
 #include "core/trace/intersect.h"
 #include "core/verify/exact.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <bit>

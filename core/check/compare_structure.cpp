@@ -2,6 +2,7 @@
 
 #include "core/grid/clip.h"
 #include "core/trace/intersect.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,7 @@
 #include "core/cost/depth_map.h"
 
+#include "shaders/shared/margins.h"
+
 #include <algorithm>
 #include <bit>
 

@@ -2,6 +2,7 @@
 
 #include "core/cost/depth_map.h"
 #include "core/grid/geometry.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "core/cost/seen_polygon.h"
 
+#include "shaders/shared/margins.h"
+
 #include <algorithm>
 #include <cmath>
 

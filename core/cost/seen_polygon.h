@@ -8,10 +8,6 @@
 
 namespace dirt {
 
-/// Relative, about that of clipToTile: what faces the eye squarely has a range of depths because of
-/// it, and alone in its tile lies in all bins.
-inline constexpr double kDepthMargin = 0x1p-22;
-
 /// What a view sees of a triangle: corners (x/w, y/w, w), none where it sees nothing. Plain double:
 /// for estimates, not for construction.
 struct SeenPolygon {
@@ -19,7 +15,9 @@ struct SeenPolygon {
     std::array<glm::dvec3, 7> corners; ///< each of four sides adds at most one to three
     glm::dvec3 inverseDepth{0.0};      ///< 1/w = inverseDepth . (x/w, y/w, 1); 0 if edge-on
 
-    /// Bounds of the corners; depths rounded outwards by kDepthMargin, as construction rounds them.
+    /// Bounds of the corners; depths rounded outwards by kDepthMargin, as construction rounds them:
+    /// what faces the eye squarely has a range of depths because of it, and alone in its tile lies
+    /// in all bins.
     glm::dvec3 low() const;
     glm::dvec3 high() const;
     /// Area of the shadow on the plane of two coordinates.

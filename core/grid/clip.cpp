@@ -1,7 +1,8 @@
 #include "core/grid/clip.h"
 
 #include "core/grid/exact_sum.h"
-#include "core/grid/rounding.h"
+#include "shaders/shared/margins.h"
+#include "shaders/shared/rounding.h"
 
 #include <algorithm>
 #include <array>
@@ -26,8 +27,6 @@
 namespace dirt {
 namespace {
 
-constexpr double kDepthMargin = 0x1p-22;
-
 int sign(double x) {
     return (x > 0.0) - (x < 0.0);
 }
@@ -36,7 +35,7 @@ int sign(double x) {
 double edgeAtCorner(const glm::dvec3& n, glm::vec3 a, glm::vec3 b, float s, float t) {
     const double x = n.x * s, y = n.y * t;
     const double value = (x + y) + n.z;
-    if (std::abs(value) > 0x1p-26 * (std::abs(x) + std::abs(y) + std::abs(n.z))) return value;
+    if (std::abs(value) > kSignDoubt * (std::abs(x) + std::abs(y) + std::abs(n.z))) return value;
     if (n == glm::dvec3(0.0)) return 0.0;
     return tripleProductExact({s, t, 1.0f}, a, b);
 }

@@ -2,6 +2,7 @@
 
 #include "core/grid/denormals.h"
 #include "core/grid/exact_sum.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +59,7 @@ double orientation(const ViewTriangle& triangle) {
         const glm::dvec3 terms = triangle.normals[i] * glm::dvec3(v[(i + 2) % 3]);
         const double value = terms.x + terms.y + terms.z;
         if (std::fabs(value) >
-            0x1p-26 * (std::fabs(terms.x) + std::fabs(terms.y) + std::fabs(terms.z)))
+            kSignDoubt * (std::fabs(terms.x) + std::fabs(terms.y) + std::fabs(terms.z)))
             return value;
     }
     return tripleProductExact(v[0], v[1], v[2]);

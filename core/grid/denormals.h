@@ -1,11 +1,10 @@
 #pragma once
 
+#include "shaders/shared/rounding.h"
+
 #if defined(__x86_64__) || defined(_M_X64)
 #include <immintrin.h>
 #endif
-
-#include <cfloat>
-#include <cmath>
 
 namespace dirt {
 
@@ -41,10 +40,5 @@ using FlushDenormals = DenormalMode<true>;
 
 /// For what comes before the scale.
 using KeepDenormals = DenormalMode<false>;
-
-/// \p x, or zero where it is denormal; for code that must not depend on the mode above.
-inline float flushed(float x) {
-    return std::fabs(x) < FLT_MIN ? 0.0f : x;
-}
 
 } // namespace dirt

@@ -12,17 +12,6 @@
 
 namespace dirt {
 
-BinMap::BinMap(const DepthBounds& bounds, int bins) : near(bounds.near), bins(bins) {
-    const float length = bounds.far - bounds.near;
-    scale = length > 0.0f ? (float) bins / length : 0.0f;
-    if (!(scale <= FLT_MAX)) scale = 0.0f;
-}
-
-int BinMap::operator()(float w) const {
-    const float bin = (w - near) * scale;
-    return (int) std::min(std::max(bin, 0.0f), (float) (bins - 1));
-}
-
 bool holdsEye(const Triangle& t) {
     for (int i = 0; i < 3; ++i) {
         if (t.a[i] > 0.0f && t.b[i] > 0.0f && t.c[i] > 0.0f) return false;

@@ -2,6 +2,7 @@
 
 #include "core/grid/clip.h"
 #include "core/grid/view.h"
+#include "shaders/shared/bins.h"
 
 #include <cfloat>
 #include <cstdint>
@@ -27,8 +28,9 @@ struct BinMap {
     float near, scale;
     int bins;
 
-    BinMap(const DepthBounds& bounds, int bins);
-    int operator()(float w) const;
+    BinMap(const DepthBounds& bounds, int bins)
+        : near(bounds.near), scale(binsPerDepth(bounds.near, bounds.far, bins)), bins(bins) {}
+    int operator()(float w) const { return binOf(w, near, scale, bins); }
 };
 
 /// Min-max mip chain over one view's tiles. Level 0 is the tiles' bounds; level L has

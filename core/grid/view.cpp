@@ -1,6 +1,7 @@
 #include "core/grid/view.h"
 
 #include "core/io/error.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,11 +11,6 @@ namespace dirt {
 /// At most this many tiles along a view: what the margins of coverage are derived for.
 inline constexpr int kMaxTiles = 8192;
 
-/// Width of the guard band that construction aims at, as a fraction of a tile. It must lie between
-/// what every tile has to list (1/512, G1) and what none may list (1/64, G2), with room on both
-/// sides for rounding; coverage.h derives how much is needed.
-inline constexpr double kGuardBand = 1.0 / 128.0;
-
 /// One perspective frustum seen from the eye. Its frame (x, y, w), w along the axis, is a
 /// permutation with signs of the grid frame. A tile (column i, row j) is the closed cone
 /// { x in [s_i, s_i+1] w, y in [t_j, t_j+1] w, w > 0 }.

@@ -1,6 +1,7 @@
 #include "core/trace/determinant.h"
 
 #include "core/grid/exact_sum.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,7 @@ double maxNorm(const Vec& v) {
 /// intersect.cpp, for vectors that are differences of floats.
 int certainSign(const glm::dvec3& v, const glm::dvec3& x, const glm::dvec3& y) {
     const double value = glm::dot(v, glm::cross(x, y));
-    const double bound = 0x1p-47 * maxNorm(v) * maxNorm(x) * maxNorm(y);
+    const double bound = kSideError * maxNorm(v) * maxNorm(x) * maxNorm(y);
     return std::abs(value) > bound ? sign(value) : 0;
 }
 

@@ -1,6 +1,8 @@
 #include "core/trace/intersect.h"
 
+#include "core/grid/denormals.h"
 #include "core/trace/determinant.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -53,7 +55,7 @@ bool meet(glm::vec3 origin, glm::vec3 direction, const Triangle& triangle, const
     if (!plane().at(direction, out.t)) return false;
 
     // Weights of a tiny far triangle: 2^-22 of their sum has to be above their error.
-    if (std::abs(weights.a + weights.b + weights.c) < 0x1p25 * weights.bound)
+    if (std::abs(weights.a + weights.b + weights.c) < kSureWeights * weights.bound)
         weights = exactWeights(origin, direction, triangle);
     const double sum = weights.a + weights.b + weights.c;
     out.u = (float) (weights.b / sum);
@@ -70,7 +72,7 @@ PlaneDistance::PlaneDistance(glm::vec3 origin, const Triangle& t) : triangle_(t)
     normal_ = glm::cross(ab, ac);
     numerator_ = glm::dot(normal_, toA);
     // The bound above is 2^-49 of the norms; 2^-29 of the value is wanted, here and below.
-    norms_ = 0x1p-20 * maxNorm(ab) * maxNorm(ac);
+    norms_ = kPlaneDoubt * maxNorm(ab) * maxNorm(ac);
     if (std::abs(numerator_) <= norms_ * oneNorm(toA))
         numerator_ = -planeDeterminantExact(origin, t.a, t.b, t.c);
 }
@@ -99,7 +101,7 @@ EdgePlanes::EdgePlanes(glm::vec3 origin, const Triangle& triangle)
 
 EdgePlanes::Weights EdgePlanes::along(glm::vec3 direction) const {
     const glm::dvec3 d(direction);
-    const double scale = 0x1p-49 * oneNorm(d);
+    const double scale = kEdgeError * oneNorm(d);
     Weights weights{glm::dot(d, a_), glm::dot(d, b_), glm::dot(d, c_), scale * largest_};
     const auto decide = [&](double& weight, double bound, const glm::vec3& from,
                             const glm::vec3& to) {
@@ -142,6 +144,14 @@ bool isTraceable(const Ray& ray) {
         if (!(std::abs(ray.origin[i]) <= FLT_MAX && std::abs(ray.direction[i]) <= FLT_MAX))
             return false;
     return ray.direction != glm::vec3(0.0f);
+}
+
+Ray flushedRay(Ray ray) {
+    for (int i = 0; i < 3; ++i) {
+        ray.origin[i] = flushed(ray.origin[i]);
+        ray.direction[i] = flushed(ray.direction[i]);
+    }
+    return ray;
 }
 
 } // namespace dirt

@@ -5,12 +5,6 @@
 
 namespace dirt {
 
-/// err(t) = kRelativeErrorT * t (T4): hits whose computed t are in one order have exact t in the
-/// same order, or apart by less. A hit's t is the exact value with a relative error of at most
-/// 2^-28, rounded once to float: 2^-24 + 2^-28 each, 2^-23 (1 + 2^-4) for two, here rounded up to
-/// 2^-23 (1 + 2^-3). Results below FLT_MIN become zero.
-inline constexpr float kRelativeErrorT = 0x1.2p-23f;
-
 /// A ray's intersection with one triangle.
 struct TriangleHit {
     float t = 0.0f;
@@ -78,5 +72,8 @@ bool sameVertices(const Triangle& a, const Triangle& b);
 
 /// Whether all six numbers of the ray are finite and its direction is not zero (T6).
 bool isTraceable(const Ray& ray);
+
+/// The ray without denormals, which backends may or may not flush.
+Ray flushedRay(Ray ray);
 
 } // namespace dirt

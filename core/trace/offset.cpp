@@ -1,6 +1,7 @@
 #include "core/trace/offset.h"
 
 #include "core/trace/determinant.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ glm::dvec3 scaledNormal(const Triangle& t) {
     };
     glm::dvec3 normal = glm::cross(ab, ac);
     // The components' error is below 2^-50 of the norms; a needle's normal is all error.
-    if (largest(normal) <= 0x1p-30 * largest(ab) * largest(ac))
+    if (largest(normal) <= kNeedle * largest(ab) * largest(ac))
         for (int i = 0; i < 3; ++i) {
             glm::vec3 axis(0.0f);
             axis[i] = 1.0f;
@@ -42,8 +43,8 @@ glm::vec3 offsetOrigin(const Triangle& triangle, float u, float v, glm::vec3 dir
     // Rounding to float moves the point by at most 2^-24 |p|_1 along the normal (whose largest
     // component is 1), and the point's own error in double is far below that; so the first step
     // nearly always suffices. The exact sign has the last word.
-    double step = 0x1p-23 * (std::abs(point.x) + std::abs(point.y) + std::abs(point.z));
-    step = std::max(step, 0x1p-120);
+    double step = kOffsetStep * (std::abs(point.x) + std::abs(point.y) + std::abs(point.z));
+    step = std::max(step, 0x1p-120); // beside the origin, far above denormals
     for (int i = 0; i < 64; ++i, step *= 2.0) {
         const glm::vec3 origin(point + normal * step);
         if (planeSide(origin, triangle.a, triangle.b, triangle.c) == side) return origin;

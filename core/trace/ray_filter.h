@@ -2,6 +2,7 @@
 
 #include "core/grid/geometry.h"
 #include "core/trace/ray.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ public:
         const float distance =
             extent + std::max({std::abs(origin_.x), std::abs(origin_.y), std::abs(origin_.z)});
         // 8 u N. Very far away nothing is certain, rather than products overflow.
-        lateralError_ = distance < 0x1p40f ? 0x1p-21f * distance : HUGE_VALF;
+        lateralError_ = distance < 0x1p40f ? kLateralError * distance : HUGE_VALF;
     }
 
     /// True only if the exact line does not meet the closed triangle.
@@ -55,8 +56,8 @@ public:
         const float w = ax * by - ay * bx;
         const float largest = std::max(
             {std::abs(ax), std::abs(ay), std::abs(bx), std::abs(by), std::abs(cx), std::abs(cy)});
-        // 4 * 8 u N L >= 24 u N L with room for the rest of the first term; 2^-21 L^2 = 8 u L^2.
-        const float error = largest * (4.0f * lateralError_ + 0x1p-21f * largest);
+        // 4 * 8 u N L >= 24 u N L with room for the rest of the first term.
+        const float error = largest * (4.0f * lateralError_ + kAreaError * largest);
         return std::max({u, v, w}) > error && std::min({u, v, w}) < -error;
     }
 

@@ -1,12 +1,12 @@
 #include "core/trace/traverse.h"
 
-#include "core/grid/denormals.h"
 #include "core/trace/holes.h"
 #include "core/trace/intersect.h"
 #include "core/trace/plain_intersect.h"
 #include "core/trace/ray_filter.h"
 #include "core/trace/view_cone.h"
 #include "core/trace/view_walk.h"
+#include "shaders/shared/hit_rules.h"
 
 #include <algorithm>
 #include <array>
@@ -19,18 +19,6 @@ namespace dirt {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// What is beyond t when all that lies before it has been seen: no candidate whose computed t is
-/// at most \p t has an exact t above this. Twice err(t), and what flushing to zero may hide.
-double upperBound(float t) {
-    return (double) t * (1.0 + 2.0 * kRelativeErrorT) + (double) FLT_MIN;
-}
-
-/// Whether the exact t of a hit may lie in a visit to a tile.
-bool mayHold(const TileVisit& visit, float t) {
-    const double error = (double) t * kRelativeErrorT + (double) FLT_MIN;
-    return visit.begin <= t + error && t - error <= visit.end;
-}
 
 /// Visits the tiles of all views in the order of t.
 template <class Visit>
@@ -78,11 +66,11 @@ struct BinRange {
     /// Leaves out the bins that the ray enters after t = \p limit.
     void shorten(double limit) {
         if (!(limit < visit_.end)) return;
-        const double growth = limit * depthPerT_;
-        const double depth = originDepth_ + growth;
-        const double error = 0x1p-51 * (std::abs(originDepth_) + std::abs(growth));
-        last = step > 0 ? std::min(last, bin_(roundUp(depth + error)))
-                        : std::max(last, bin_(roundDown(depth - error)));
+        // Its roundings are far below what the limit lies beyond a hit (kFinality), or else, where
+        // the depth hardly changes, below what lists exceed depths by (kDepthMargin).
+        const double depth = originDepth_ + limit * depthPerT_;
+        last = step > 0 ? std::min(last, bin_(roundUp(depth)))
+                        : std::max(last, bin_(roundDown(depth)));
     }
 
 private:
@@ -96,11 +84,6 @@ private:
 bool isSkipped(const FrameGeometry& geometry, const Ray& ray, uint32_t id) {
     return ray.skip != kNoPrimitive &&
            (id == ray.skip || sameVertices(geometry.triangles[id], geometry.triangles[ray.skip]));
-}
-
-/// Takes the nearer of two hits; at equal t the lower id.
-bool isNearer(const TriangleHit& candidate, uint32_t id, const Hit& best) {
-    return !best.found() || candidate.t < best.t || (candidate.t == best.t && id < best.primitive);
 }
 
 /// Where a ray may hit something: everywhere in full mode, up to the view's border in single mode.
@@ -132,15 +115,6 @@ private:
     RayFilter filter_;
 };
 
-/// The ray without denormals, which backends may or may not flush.
-Ray flushedRay(Ray ray) {
-    for (int i = 0; i < 3; ++i) {
-        ray.origin[i] = flushed(ray.origin[i]);
-        ray.direction[i] = flushed(ray.direction[i]);
-    }
-    return ray;
-}
-
 } // namespace
 
 Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given,
@@ -160,7 +134,7 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
         TriangleHit candidate;
         if (!decision.hits(triangle, candidate)) return false;
         if (best.primitive == id) return true;
-        if (!isNearer(candidate, id, best) || !seen.holds(candidate.t) ||
+        if (!isNearer(candidate.t, id, best.t, best.primitive) || !seen.holds(candidate.t) ||
             isSkipped(geometry, ray, id) ||
             !isHit(geometry, ray.direction, id, candidate.u, candidate.v))
             return false;
@@ -190,7 +164,7 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
                 if (!located) {
                     best.view = (uint32_t) visit.view;
                     best.tile = (uint32_t) visit.tile;
-                    located = mayHold(visit, best.t);
+                    located = mayHold(visit.begin, visit.end, best.t);
                 }
             }
         }
@@ -256,7 +230,8 @@ Hit closestHitBruteForce(const FrameGeometry& geometry, const Ray& given) {
     if (!isTraceable(ray)) return best;
     for (uint32_t id = 0; id < geometry.triangles.size(); ++id) {
         TriangleHit candidate;
-        if (intersect(ray, geometry.triangles[id], candidate) && isNearer(candidate, id, best) &&
+        if (intersect(ray, geometry.triangles[id], candidate) &&
+            isNearer(candidate.t, id, best.t, best.primitive) &&
             !isSkipped(geometry, ray, id) &&
             isHit(geometry, ray.direction, id, candidate.u, candidate.v))
             best = {id, candidate.t, candidate.u, candidate.v, 0, 0};

@@ -32,8 +32,7 @@ ViewRay::Crossing ViewRay::crossing(int axis, double slope) const {
 int ViewRay::order(float s, float t) const {
     const double x = moment.x * s, y = moment.y * t;
     const double value = (x + y) + moment.z;
-    // m has one rounding a component, the products and sums one each: below 4 * 2^-53.
-    const double bound = 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(moment.z));
+    const double bound = kCornerDoubt * (std::abs(x) + std::abs(y) + std::abs(moment.z));
     if (std::abs(value) <= bound) return 0;
     return sign(value) * stepX * stepY;
 }

@@ -2,6 +2,7 @@
 
 #include "core/grid/view.h"
 #include "core/trace/ray.h"
+#include "shaders/shared/margins.h"
 
 #include <glm/vec3.hpp>
 
@@ -49,8 +50,5 @@ private:
     Crossing crossing(int axis, double slope) const;
     bool clipSide(int axis, double slope, bool isLow, ViewSpan& span) const;
 };
-
-/// Relative slack that covers the rounding of crossings and their comparison (below 2^-51 each).
-inline constexpr double kCrossingSlack = 0x1p-49;
 
 } // namespace dirt

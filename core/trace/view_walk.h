@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/grid/grid.h"
-#include "core/grid/rounding.h"
 #include "core/trace/view_ray.h"
+#include "shaders/shared/rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,11 +76,10 @@ private:
 
 template <class Visit>
 void ViewWalk::run(const double& limit, uint64_t& steps, Visit&& visit) {
-    // Depths are exact to 2^-51; twice that at the ends, with room.
-    constexpr double kSlack = 0x1p-48;
     const auto offer = [&](double end, double near, double far) {
         const DepthBounds& bounds = pyramid_.levels[0].at(column_, row_);
-        const float lo = roundDown(near * (1.0 - kSlack)), hi = roundUp(far * (1.0 + kSlack));
+        const float lo = roundDown(near * (1.0 - kDepthSlack));
+        const float hi = roundUp(far * (1.0 + kDepthSlack));
         if (bounds.far < lo || bounds.near > hi) return;
         visit(TileVisit{view_, row_ * pyramid_.levels[0].columns + column_, begin_, end, lo, hi});
     };
@@ -91,7 +90,8 @@ void ViewWalk::run(const double& limit, uint64_t& steps, Visit&& visit) {
         const Exit exit = exitOf(level);
         const double near = std::min(depth_, exit.near), far = std::max(depth_, exit.far);
         const DepthBounds& bounds = pyramid_.levels[level].at(column_ >> level, row_ >> level);
-        const bool empty = bounds.far < near * (1.0 - kSlack) || bounds.near > far * (1.0 + kSlack);
+        const bool empty = bounds.far < near * (1.0 - kDepthSlack) ||
+                           bounds.near > far * (1.0 + kDepthSlack);
         if (!empty && level > 0) {
             --level;
             continue;

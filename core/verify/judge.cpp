@@ -4,6 +4,7 @@
 #include "core/trace/intersect.h"
 #include "core/verify/exact.h"
 #include "core/verify/filter.h"
+#include "shaders/shared/margins.h"
 
 #include <algorithm>
 #include <array>

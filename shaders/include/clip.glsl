@@ -24,7 +24,7 @@ double edgeAtCorner(dvec3 n, float s, float t, out bool sure) {
     precise double y = n.y * double(t);
     precise double value = (x + y) + n.z;
     precise double size = abs(x) + abs(y) + abs(n.z);
-    sure = abs(value) > double(1.0 / 67108864.0) * size; // 2^-26
+    sure = abs(value) > kSignDoubt * size;
     return value;
 }
 
@@ -110,9 +110,8 @@ bool clipToTile(ViewTriangle triangle, vec2 s, vec2 t, out vec2 interval) {
     if (!includeVertices(triangle, s, t, depths)) includePolygon(triangle, s, t, depths);
     interval = vec2(0.0);
     if (depths.far <= 0.0LF) return false; // nothing, or the eye alone, which is in no tile
-    const double margin = double(1.0 / 4194304.0); // 2^-22
-    precise double near = depths.near * (1.0LF - margin);
-    precise double far = depths.far * (1.0LF + margin);
+    precise double near = depths.near * (1.0LF - kDepthMargin);
+    precise double far = depths.far * (1.0LF + kDepthMargin);
     interval = vec2(roundDown(near), roundUp(far));
     return true;
 }

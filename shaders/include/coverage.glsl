@@ -4,6 +4,7 @@
 #include "include/arithmetic.glsl"
 #include "include/exact_sum.glsl"
 #include "include/views.glsl"
+#include "shared/margins.h"
 
 /// A triangle made ready for one view.
 struct ViewTriangle {
@@ -41,7 +42,7 @@ double orientation(ViewTriangle triangle) {
         precise dvec3 terms = triangle.normals[i] * dvec3(triangle.vertices[(i + 2) % 3]);
         precise double value = terms.x + terms.y + terms.z;
         precise double size = abs(terms.x) + abs(terms.y) + abs(terms.z);
-        if (abs(value) > double(1.0 / 67108864.0) * size) return value; // 2^-26
+        if (abs(value) > kSignDoubt * size) return value;
     }
     return tripleProductExact(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]);
 }

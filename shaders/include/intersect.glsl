@@ -4,6 +4,7 @@
 #include "include/arithmetic.glsl"
 #include "include/determinants.glsl"
 #include "include/triangles.glsl"
+#include "shared/margins.h"
 
 struct Ray {
     vec3 origin, direction;
@@ -13,8 +14,6 @@ struct Ray {
 struct TriangleHit {
     float t, u, v;
 };
-
-const float kRelativeErrorT = 1.341104507446289e-7; // 1.125 * 2^-23
 
 dvec3 crossProduct(dvec3 a, dvec3 b) {
     precise dvec3 n = dvec3(a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y);
@@ -40,10 +39,6 @@ int signOf(double x) {
     return int(x > 0.0LF) - int(x < 0.0LF);
 }
 
-double powerOfTwo(int exponent) {
-    return packDouble2x32(uvec2(0u, uint(exponent + 1023) << 20));
-}
-
 // ------------------------------------------------------------------- RayFilter, in float
 
 struct RayFilter {
@@ -63,7 +58,7 @@ RayFilter makeFilter(Ray ray) {
                    ray.direction[z];
     vec3 o = abs(ray.origin);
     float distance = 2.0 + max(max(o.x, o.y), o.z);
-    sieve.lateralError = distance < 1.0e12 ? distance * (1.0 / 1048576.0) : 3.0e38; // 2^-20
+    sieve.lateralError = distance < 1.0e12 ? distance * (2.0 * kLateralError) : 3.0e38;
     return sieve;
 }
 
@@ -83,7 +78,7 @@ bool certainlyMisses(RayFilter sieve, Ray ray, Triangle triangle) {
     precise vec3 edges = x.yzx * y.zxy - y.yzx * x.zxy;
     vec3 size = max(abs(x), abs(y));
     float largest = max(max(size.x, size.y), size.z);
-    float error = largest * (4.0 * sieve.lateralError + largest * (1.0 / 1048576.0));
+    float error = largest * (4.0 * sieve.lateralError + largest * (2.0 * kAreaError));
     return max(max(edges.x, edges.y), edges.z) > error &&
            min(min(edges.x, edges.y), edges.z) < -error;
 }
@@ -128,7 +123,7 @@ bool intersect(Ray ray, Triangle triangle, out TriangleHit hit, out dvec3 weight
         to[i] = difference;
         norms[i] = maxNorm(difference);
     }
-    precise double scale = powerOfTwo(-49) * directionNorm;
+    precise double scale = kEdgeError * directionNorm;
     uint doubtful = 0u;
     double bound = 0.0LF;
     for (int i = 0; i < 3; ++i) {
@@ -147,7 +142,7 @@ bool intersect(Ray ray, Triangle triangle, out TriangleHit hit, out dvec3 weight
     precise dvec3 toA = dvec3(corners[0]) - o;
     dvec3 normal = crossProduct(ab, ac);
     double numerator = dotProduct64(normal, toA), denominator = dotProduct64(normal, d);
-    precise double area = powerOfTwo(-20) * maxNorm(ab) * maxNorm(ac);
+    precise double area = kPlaneDoubt * maxNorm(ab) * maxNorm(ac);
     uint unsureT = (abs(numerator) <= area * oneNorm(toA) ? 1u << kNumerator : 0u) |
                    (abs(denominator) <= area * directionNorm ? 1u << kDenominator : 0u);
 
@@ -174,7 +169,7 @@ bool intersect(Ray ray, Triangle triangle, out TriangleHit hit, out dvec3 weight
         if (doubtful == 0u && known == 1) {
             if (numerator != 0.0LF && (numerator < 0.0LF) != (denominator < 0.0LF)) return false;
             precise double sum = weights.x + weights.y + weights.z;
-            if (abs(sum) < powerOfTwo(25) * bound) doubtful = kEdges;
+            if (abs(sum) < kSureWeights * bound) doubtful = kEdges;
             known = 2;
         }
     } while (doubtful != 0u);

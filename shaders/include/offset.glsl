@@ -8,7 +8,7 @@ dvec3 scaledNormal(Triangle t) {
     precise dvec3 ab = dvec3(t.b) - a, ac = dvec3(t.c) - a;
     dvec3 normal = crossProduct(ab, ac);
     // The components' error is below 2^-50 of the norms; a needle's normal is all error.
-    precise double needle = powerOfTwo(-30) * maxNorm(ab) * maxNorm(ac);
+    precise double needle = kNeedle * maxNorm(ab) * maxNorm(ac);
     if (maxNorm(normal) <= needle)
         for (int i = 0; i < 3; ++i) {
             vec3 axis = vec3(i == 0, i == 1, i == 2);
@@ -29,8 +29,8 @@ vec3 offsetOrigin(Triangle t, float u, float v, vec3 direction) {
 
     int side = directionSide(direction, t) < 0 ? -1 : 1;
     normal *= double(side);
-    precise double size = powerOfTwo(-23) * oneNorm(point);
-    double distance = max(size, powerOfTwo(-120));
+    precise double size = kOffsetStep * oneNorm(point);
+    double distance = max(size, double(7.52316384526264e-37)); // 2^-120: beside the origin
     for (int i = 0; i < 64; ++i) {
         precise dvec3 moved = point + normal * distance;
         vec3 origin = vec3(moved);

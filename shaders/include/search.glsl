@@ -5,7 +5,7 @@
 #include "include/view_cone.glsl"
 #include "include/plain_intersect.glsl"
 #include "include/ray_record.glsl"
-#include "shared/layouts.h"
+#include "shared/hit_rules.h"
 #if DIRT_CUT_OUTS
 #include "include/holes.glsl"
 #endif
@@ -22,13 +22,6 @@ struct Search {
     Hit best;
     bool located; // best.view and best.tile hold best.t
 };
-
-/// No candidate whose computed t is at most t has an exact t above this.
-double upperBound(float t) {
-    precise double bound =
-        double(t) * (1.0LF + double(2.0 * kRelativeErrorT)) + double(kSmallestNormal);
-    return bound;
-}
 
 /// Whether it has the vertices of the triangle to skip.
 bool isSkipped(Ray ray, Triangle triangle) {
@@ -71,9 +64,8 @@ bool test(inout Search search, Candidate candidate) {
 #else
     hit = candidate.hit;
 #endif
-    bool nearer = search.best.primitive == kNoPrimitive || hit.t < search.best.t ||
-                  (hit.t == search.best.t && candidate.id < search.best.primitive);
-    if (!nearer || hit.t < search.seenBegin || hit.t > search.seenEnd ||
+    if (!isNearer(hit.t, candidate.id, search.best.t, search.best.primitive) ||
+        hit.t < search.seenBegin || hit.t > search.seenEnd ||
         isSkipped(search.ray, candidate.triangle))
         return false;
 #if DIRT_ANY_HIT

@@ -6,8 +6,7 @@
 vec2 partInView(Ray ray) {
     ViewSpan span;
     if (!clipToView(makeViewRay(0, ray), span)) return vec2(0.0, -1.0);
-    const double inwards = double(2.0 * kRelativeErrorT);
-    precise double begin = span.begin * (1.0LF + inwards);
-    precise double end = span.end * (1.0LF - inwards);
+    precise double begin = span.begin * (1.0LF + kConeInset);
+    precise double end = span.end * (1.0LF - kConeInset);
     return vec2(roundUp(begin), roundDown(end));
 }

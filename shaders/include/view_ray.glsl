@@ -6,8 +6,6 @@
 /// Border slopes: columns + 1 of them, then rows + 1.
 layout(binding = 1) uniform samplerBuffer slopes;
 
-const double kCrossingSlack = double(1.0 / 562949953421312.0); // 2^-49
-
 double infinity() {
     return packDouble2x32(uvec2(0u, 0x7ff00000u));
 }
@@ -62,7 +60,7 @@ int orderOf(ViewRay ray, int columnBorder, int rowBorder) {
     precise double x = ray.moment.x * slopeOf(0, columnBorder);
     precise double y = ray.moment.y * slopeOf(1, rowBorder);
     precise double value = (x + y) + ray.moment.z;
-    precise double bound = powerOfTwo(-50) * (abs(x) + abs(y) + abs(ray.moment.z));
+    precise double bound = kCornerDoubt * (abs(x) + abs(y) + abs(ray.moment.z));
     if (abs(value) <= bound) return 0;
     return signOf(value) * ray.step.x * ray.step.y;
 }

@@ -6,8 +6,6 @@
 /// Depth bounds (-near, far).
 layout(binding = 2) uniform sampler2DArray pyramid;
 
-const double kDepthSlack = double(1.0 / 281474976710656.0); // 2^-48
-
 /// A tile that a ray visits: parameters and depths, rounded outwards.
 struct TileVisit {
     ivec2 tile;

@@ -9,6 +9,7 @@
 #include "core/frame/renderer.h"
 #include "core/trace/intersect.h"
 #include "core/verify/judge.h"
+#include "shaders/shared/margins.h"
 #include "tests/cross/recording_backend.h"
 #include "tests/support/golden_scenes.h"
 #include "tests/support/random.h"

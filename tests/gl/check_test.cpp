@@ -87,7 +87,7 @@ TEST(Check, CatchesFaultsOfFillDepth) {
 
 TEST(Check, CatchesFaultsOfFillPrimitives) {
     const Rows lists = {"FillPrimitives: lists"};
-    EXPECT_EQ(caughtFault("include/bins.glsl", "* map.scale", "* (map.scale * 1.001)"), lists);
+    EXPECT_EQ(caughtFault("shared/bins.h", "* perDepth", "* (perDepth * 1.001f)"), lists);
 }
 
 /// Cells of one level whose depths differ.
@@ -211,7 +211,7 @@ TEST(Check, CatchesFaultsOfTheDecision) {
               kDecision);
     EXPECT_EQ(caughtFault("include/coverage.glsl", "a.z >= 0.0", "a.z > 0.0"), kDecision);
     EXPECT_EQ(caughtFault("include/coverage.glsl", "(a.z > 0.0 && b.z < 0.0)", "false"), kDecision);
-    EXPECT_EQ(caughtFault("include/clip.glsl", "1.0LF + margin", "1.0LF"), kDecision);
+    EXPECT_EQ(caughtFault("include/clip.glsl", "1.0LF + kDepthMargin", "1.0LF"), kDecision);
     EXPECT_EQ(caughtFault("include/clip.glsl", "signOf(p) * signOf(q) > 0", "false"), kDecision);
     EXPECT_EQ(caughtFault("include/views.glsl", "axes.w < 0", "axes.w < -1"), kDecision);
 }

@@ -10,6 +10,7 @@
 
 #ifdef DIRT_HAVE_EMBREE
 #include "backend_embree/embree_backend.h"
+#include "shaders/shared/margins.h"
 #endif
 
 #include <iostream>
