@@ -5,6 +5,7 @@
 #include "backend_cpu/thread_pool.h"
 #include "core/io/load.h"
 #include "tests/io/test_scenes.h"
+#include "tests/support/corner_triangles.h"
 #include "tests/support/print.h"
 #include "tests/support/simd_targets.h"
 #include "tests/support/small_scenes.h"
@@ -103,6 +104,19 @@ TEST(GridBuilder, EqualsTheDefinitionOnNastyTriangles) {
         camera.verticalFov = random.pick({1e-5f, 0.1f, 1.0f, 53.0f, 90.0f, 150.0f, 179.0f});
         const ViewSet set(randomSettings(random), camera);
         const FrameGeometry geometry = nastyGeometry(random, set, 300);
+        expectEqualToDefinition(geometry, set.camera, set.settings, describe(set.settings));
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(GridBuilder, EqualsTheDefinitionOnEdgesThroughCorners) {
+    Random random(73);
+    for (int round = 0; round < cases(6, 100); ++round) {
+        const ViewSet set = fullViews(random.range(4, 40), random.pick({1, 3}));
+        FrameGeometry geometry;
+        for (int i = 0; i < 500; ++i)
+            geometry.triangles.push_back(
+                throughCorner(random, set.views[(size_t) random.below(6)]).triangle);
         expectEqualToDefinition(geometry, set.camera, set.settings, describe(set.settings));
         if (HasFatalFailure()) return;
     }

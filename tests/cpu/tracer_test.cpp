@@ -7,6 +7,7 @@
 #include "core/io/load.h"
 #include "core/verify/ray_kinds.h"
 #include "tests/io/test_scenes.h"
+#include "tests/support/final_hits.h"
 #include "tests/support/grid_rays.h"
 #include "tests/support/print.h"
 #include "tests/support/simd_targets.h"
@@ -321,6 +322,22 @@ TEST(Leaves, HoldEachListWithoutWhatHasNoArea) {
             EXPECT_LE(glm::length(glm::cross(ab, ac)), 0x1p-48 * largest) << hex(t);
         }
     }
+}
+
+/// A hit is final only where all that may be as near, as far as a float tells, has been seen.
+TEST(LeafTracer, GoesOnWhereTheNextTileMayHoldANearerHit) {
+    Random random(65);
+    uint64_t scalar = 0;
+    const int count = cases(300, 20000);
+    for (int i = 0; i < count; ++i) {
+        const auto [set, ray, geometry] = finalCase(random);
+        const Structure structure(geometry, set.camera, set.settings);
+        Asked asked;
+        asked.add(structure, ray, random);
+        scalar += expectEqual(structure, asked, "case " + std::to_string(i)).scalar;
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_LT(scalar, (uint64_t) count / 5);
 }
 
 } // namespace

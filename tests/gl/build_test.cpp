@@ -4,6 +4,7 @@
 #include "backend_gl/gl_backend.h"
 #include "core/io/error.h"
 #include "tests/gl/grids.h"
+#include "tests/support/corner_triangles.h"
 #include "tests/support/small_scenes.h"
 
 #include <gtest/gtest.h>
@@ -69,31 +70,14 @@ TEST(GlBuild, EqualsTheDefinitionOnSmallScenes) {
         }
 }
 
-/// An edge whose middle is exactly on the corner ray of a guard-banded tile: no sum of rounded
-/// products tells on which side.
-Triangle throughCorner(Random& random, const View& view) {
-    const int column = random.below(view.columns), row = random.below(view.rows);
-    const bool left = random.chance(0.5), above = random.chance(0.5);
-    const glm::vec3 corner(left ? view.sLo[(size_t) column] : view.sHi[(size_t) column],
-                           above ? view.tLo[(size_t) row] : view.tHi[(size_t) row], 1.0f);
-    glm::vec3 a, b;
-    for (int i = 0; i < 3; ++i) { // multiples of an ulp: both sums are exact
-        const float ulp = std::nextafter(std::abs(corner[i]), 4.0f) - std::abs(corner[i]);
-        const float off = ulp * (float) random.range(-1'000'000, 1'000'000);
-        a[i] = corner[i] + off;
-        b[i] = corner[i] - off;
-    }
-    const float scale = (float) random.powerOfTwo(-8, 0);
-    return {fromView(view, a * scale), fromView(view, b * scale), uniformPoint(random, 1.0)};
-}
-
 TEST(GlBuild, EqualsTheDefinitionOnEdgesThroughCorners) {
     Random random(8);
     for (int round = 0; round < cases(4, 100); ++round) {
         const ViewSet set = fullViews(random.range(4, 40), random.pick({1, 3}));
         std::vector<Triangle> triangles;
         for (int i = 0; i < 300; ++i)
-            triangles.push_back(throughCorner(random, set.views[(size_t) random.below(6)]));
+            triangles.push_back(
+                throughCorner(random, set.views[(size_t) random.below(6)]).triangle);
         const FrameGeometry geometry = geometryOf(std::move(triangles), set);
         ASSERT_TRUE(sameGrid(buildGrid(geometry, set.camera, set.settings),
                              build(sharedBackend(), geometry, set)))

@@ -5,6 +5,7 @@
 #include "core/grid/denormals.h"
 #include "core/trace/traverse.h"
 #include "tests/support/border_rays.h"
+#include "tests/support/final_hits.h"
 #include "tests/support/grid_rays.h"
 #include "tests/support/print.h"
 #include "tests/support/small_scenes.h"
@@ -107,6 +108,23 @@ TEST(GlTrace, FindsWhatLiesBesideABorder) {
         found += expected.found();
     }
     EXPECT_GT(found, 50);
+}
+
+/// A hit is final only where all that may be as near, as far as a float tells, has been seen.
+TEST(GlTrace, GoesOnWhereTheNextTileMayHoldANearerHit) {
+    GlBackend gl;
+    const FlushDenormals flush;
+    Random random(13);
+    for (int i = 0; i < cases(100, 5000); ++i) {
+        const auto [set, ray, geometry] = finalCase(random);
+        gl.setGeometry(geometry);
+        gl.writeGrid(buildGrid(geometry, set.camera, set.settings));
+        std::vector<Hit> hits(1);
+        gl.intersect(std::vector<Ray>{ray}, hits);
+        const Hit expected = closestHitBruteForce(geometry, ray);
+        ASSERT_EQ(hits[0].primitive, expected.primitive) << hex(ray) << " in case " << i;
+        ASSERT_EQ(hits[0].t, expected.t) << hex(ray) << " in case " << i;
+    }
 }
 
 } // namespace

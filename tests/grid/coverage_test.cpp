@@ -1,4 +1,5 @@
 #include "core/grid/clip.h"
+#include "tests/support/corner_triangles.h"
 #include "tests/support/nasty_triangles.h"
 #include "tests/support/print.h"
 
@@ -96,6 +97,20 @@ TEST(Coverage, ListsExactlyWhatTheGuardBandsAskFor) {
     // The cases are near the decision: neither almost all nor almost none are listed.
     EXPECT_GT(met, total / 5);
     EXPECT_LT(met, total * 4 / 5);
+}
+
+TEST(Coverage, DecidesEdgesThroughCornersExactly) {
+    Random random(20161194);
+    for (int round = 0; round < cases(30, 300); ++round) {
+        const ViewSet set = fullViews(random.range(4, 40), random.pick({1, 3}));
+        for (int i = 0; i < 1000; ++i) {
+            const View& view = set.views[(size_t) random.below(6)];
+            const CornerTriangle corner = throughCorner(random, view);
+            const TileCase c{&set,       &view,      corner.triangle,
+                             corner.column, corner.row, "through a corner"};
+            ASSERT_EQ(violation(c), "") << describe(c);
+        }
+    }
 }
 
 } // namespace

@@ -1,9 +1,11 @@
 #include "backend_cpu/cpu_backend.h"
+#include "core/trace/intersect.h"
 #include "core/trace/traverse.h"
 #include "core/trace/view_cone.h"
 #include "tests/support/border_rays.h"
 #include "tests/support/exact_point.h"
 #include "tests/support/exact_ray.h"
+#include "tests/support/final_hits.h"
 #include "tests/support/grid_rays.h"
 #include "tests/support/print.h"
 #include "tests/support/small_scenes.h"
@@ -313,6 +315,25 @@ TEST(ClosestHit, FindsWhatLiesBesideABorder) {
         found += expected.found();
     }
     EXPECT_GT(found, 100);
+}
+
+/// A hit is final only where all that may be as near, as far as a float tells, has been seen.
+TEST(ClosestHit, GoesOnWhereTheNextTileMayHoldANearerHit) {
+    Random random(13);
+    int second = 0;
+    for (int i = 0; i < cases(300, 20000); ++i) {
+        const auto [set, ray, geometry] = finalCase(random);
+        const Grid grid = buildGrid(geometry, set.camera, set.settings);
+        const Hit expected = closestHitBruteForce(geometry, ray);
+        const Hit hit = closestHit(grid, geometry, ray);
+        ASSERT_TRUE(sameHit(hit, expected)) << text(hit, geometry.triangles) << ", not "
+                                            << text(expected, geometry.triangles) << "\n"
+                                            << hex(ray) << " in case " << i;
+        TriangleHit nearer, farther;
+        second += intersect(ray, geometry.triangles[0], nearer) &&
+                  intersect(ray, geometry.triangles[1], farther) && nearer.t == farther.t;
+    }
+    EXPECT_GT(second, 50);
 }
 
 } // namespace
