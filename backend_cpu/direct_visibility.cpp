@@ -44,10 +44,10 @@ public:
             rays.most = std::max(rays.most, glm::dot(glm::dvec3(d), rays.forward));
         }
         const float slope = std::max(std::abs(plane.slopeX), std::abs(plane.slopeY));
-        const float noise = 0x1p-18f * (1.0f + 2.0f * slope);
+        const float noise = 0x1p-18f * (1.0f + 2.0f * slope); // twice as above
         rays.reach += noise;
         rays.most += 3.0 * noise;
-        rays.margin = 6.0f * 0x1p-24f * rays.reach;
+        rays.margin = 6.0f * 0x1p-24f * rays.reach; // of three products
         rays.spread = noise + rays.margin;
         return rays;
     }

@@ -34,7 +34,7 @@ void resolve(const FrameGeometry& geometry, uint32_t id, int pixel, EyeTile& til
     }
     const float inverse = std::min(1.0f / hit.t, kMost);
     tile.id[pixel] = id;
-    tile.low[pixel] = inverse * (1.0f - 0x1p-20f);
+    tile.low[pixel] = inverse * (1.0f - 0x1p-20f); // t errs by 2^-23, 1/t too
     tile.high[pixel] = inverse * (1.0f + 0x1p-20f);
 }
 

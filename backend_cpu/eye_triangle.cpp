@@ -26,7 +26,7 @@ EyeTriangle::EyeTriangle(const Triangle& triangle, uint32_t id, const PixelRange
     const double determinant = glm::dot(a, normal);
     const double length = std::max(largest(ab), largest(ac));
     const double size = std::max({largest(a), largest(b), largest(c)});
-    clear = std::abs(determinant) > 0x1p-22 * length * length * size;
+    clear = std::abs(determinant) > 0x1p-22 * length * length * size; // as in the header
 
     const double sign = determinant < 0.0 ? -1.0 : 1.0;
     const glm::dvec3 edges[3] = {glm::cross(b, c), glm::cross(c, a), glm::cross(a, b)};
@@ -37,11 +37,11 @@ EyeTriangle::EyeTriangle(const Triangle& triangle, uint32_t id, const PixelRange
     }
     const glm::dvec3 g = clear ? normal / determinant : glm::dvec3(0.0);
     for (int k = 0; k < 3; ++k) inverse[k] = (float) g[k];
-    error = clear ? 0x1p-21f * rays.reach * (float) sum(g) : HUGE_VALF;
+    error = clear ? 0x1p-21f * rays.reach * (float) sum(g) : HUGE_VALF; // 8 u
 
     const double depth =
         std::min({glm::dot(a, rays.forward), glm::dot(b, rays.forward), glm::dot(c, rays.forward)});
-    near = depth > 0.0 ? (float) (depth / rays.most * (1.0 - 0x1p-20)) : 0.0f;
+    near = depth > 0.0 ? (float) (depth / rays.most * (1.0 - 0x1p-20)) : 0.0f; // rounded
 }
 
 bool EyeTriangle::misses(const glm::vec3 (&corners)[4], float spread) const {

@@ -51,7 +51,7 @@ HWY_INLINE CullMask coversNone(const ImageCull& image, const CullVertices& t) {
                           HWY_ATTR { return hn::Max(hn::Max(a, b), c); };
     const auto& z = p[2];
     const CullFloats nearest = least(z[0], z[1], z[2]);
-    const CullFloats tiny = hn::Set(d, 0x1p-60f);
+    const CullFloats tiny = hn::Set(d, 0x1p-60f); // far above what underflows
     const auto behind =
         hn::Lt(hn::Add(most(z[0], z[1], z[2]), tiny), hn::Mul(norm, hn::Set(d, -0x1p-19f)));
     const auto before = hn::Gt(nearest, hn::Add(hn::Mul(norm, hn::Set(d, 0x1p-10f)), tiny));

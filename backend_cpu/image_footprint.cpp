@@ -56,7 +56,7 @@ ImageFootprint::ImageFootprint(const Camera& camera, int width, int height, View
     step_ = {2.0 * slopeX / width, 2.0 * slopeY / height};
     const double largest = 1.0 + std::max(slopeX, slopeY);
     largestSlope_ = largest;
-    margin_ = 0x1p-19 * largest * largest;
+    margin_ = 0x1p-19 * largest * largest; // see above
     first_ = slope_ + offset_ * step_ - margin_;
     last_ = slope_ + (offset_ + glm::dvec2(size_ - 1)) * step_ + margin_;
     if (mode == ViewMode::full) {
@@ -126,9 +126,9 @@ ImageCull ImageFootprint::cull() const {
         const double middle = -slope_[axis] * perSlope - offset_[axis];
         cull.perSlope[axis] = (float) perSlope;
         cull.middle[axis] = (float) middle;
-        cull.margin[axis] =
+        cull.margin[axis] = // as image_cull.cpp says
             (float) ((margin_ * perSlope + 12 * 0x1p-24 * std::abs(middle)) * (1.0 + 0x1p-10));
-        cull.marginPerSlope[axis] = (float) (0x1p-20 * perSlope);
+        cull.marginPerSlope[axis] = (float) (0x1p-20 * perSlope); // image_cull.cpp: 16 u
         cull.last[axis] = (float) (size_[axis] - 1);
     }
     return cull;

@@ -154,7 +154,7 @@ private:
         const float extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
         const Tag d;
         const IntTag di;
-        const auto scale = hn::Set(d, (float) kRadix / std::max(extent, 0x1p-60f));
+        const auto scale = hn::Set(d, (float) kRadix / std::max(extent, 0x1p-60f)); // finite
         const auto last = hn::Set(d, (float) (kRadix - 1));
         for (uint32_t i = 0; i < count; i += (uint32_t) hn::Lanes(d)) {
             hn::Vec<Tag> x, y, z, unused;

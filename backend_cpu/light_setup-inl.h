@@ -110,9 +110,8 @@ public:
             }
         }
         // As lightGuard.
-        const V guard =
-            hn::Add(hn::Mul(hn::Set(d, grid.reach * (1.0 + kLightGuard)), most),
-                    hn::Set(d, kLightPlaces));
+        const V guard = hn::Add(hn::Mul(hn::Set(d, grid.reach * (1.0 + kLightGuard)), most),
+                                hn::Set(d, kLightPlaces));
         const auto places = [&](V slope)
                                 HWY_ATTR { return hn::Mul(hn::Add(slope, one), perSlope); };
         const auto first = [&](V slope) HWY_ATTR {
@@ -194,18 +193,20 @@ HWY_INLINE void LightLanes::writeRecords(const LightGrid& grid, uint32_t which,
     const V scale = max3(sum(edges[0]), sum(edges[1]), sum(edges[2]));
     const V lengths =
         max3(sum(minus(v_[1], v_[0])), sum(minus(v_[2], v_[1])), sum(minus(v_[0], v_[2])));
-    const V unclear =
-        hn::Mul(hn::Add(hn::Mul(set(kLightError), squaredLength), hn::Mul(set(kLightNormalError), own)), size);
+    const V error =
+        hn::Add(hn::Mul(set(kLightError), squaredLength), hn::Mul(set(kLightNormalError), own));
+    const V unclear = hn::Mul(error, size);
     auto clear = hn::And(hn::Gt(hn::Abs(determinant), unclear),
                          hn::Gt(scale, hn::Mul(set(kLightScaleClear), squaredSize)));
     const V one = set(1.0);
     const V perScale = hn::Div(one, hn::IfThenElse(clear, scale, one));
     const V perOwn = hn::Div(one, hn::IfThenElse(clear, own, one));
     const V farther = hn::Add(one, hn::Mul(size, set(1.0 / grid.nearest)));
-    const V rounding = hn::Add(
-        hn::Mul(hn::Mul(set(kLightError), squaredSize), perScale),
-        hn::Mul(hn::Add(hn::Mul(hn::Mul(set(kLightOwnError), squaredLength), perOwn), set(kLightOwnRounding)),
-                farther));
+    const V rounding =
+        hn::Add(hn::Mul(hn::Mul(set(kLightError), squaredSize), perScale),
+                hn::Mul(hn::Add(hn::Mul(hn::Mul(set(kLightOwnError), squaredLength), perOwn),
+                                set(kLightOwnRounding)),
+                        farther));
     const V lateral = hn::Mul(hn::Mul(set(2.5 * grid.reach), lengths), perScale);
     const V margin = hn::Add(hn::Mul(set(kLightRecord), hn::Add(set(16.0), lateral)), rounding);
     clear = hn::And(clear, hn::Lt(margin, set(0.5)));

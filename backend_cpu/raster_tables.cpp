@@ -10,6 +10,7 @@ namespace {
 constexpr float kNever = 0x1p60f;
 
 bool areOrdinary(const std::vector<float>& borders) {
+    // tile_range-inl.h needs this much.
     return std::all_of(borders.begin(), borders.end(), [](float slope) {
         const float size = std::fabs(slope);
         return slope == 0.0f || (size >= 0x1p-60f && size <= 0x1p20f);

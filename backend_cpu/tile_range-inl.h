@@ -40,7 +40,7 @@ using Wide = hn::Vec<WideTag>;
 using WideInts = hn::Vec<WideIntTag>;
 inline constexpr size_t kMaxWide = 16;
 
-inline constexpr float kSmallest = 0x1p-30f, kLargest = 0x1p20f;
+inline constexpr float kSmallest = 0x1p-30f, kLargest = 0x1p20f; // of ordinary coordinates
 
 using WideVertices = Vertices<WideTag>;
 

@@ -17,7 +17,7 @@ std::vector<float> testValues() {
     for (int i = 0; i < kSelfTestCases; ++i) {
         float v[3];
         for (float& x : v) {
-            const float mantissa = (float) (next() >> 8) * 0x1p-24f + 1.0f;
+            const float mantissa = (float) (next() >> 8) * 0x1p-24f + 1.0f; // 24 random bits
             const int exponent = (int) (next() >> 27) - 30;
             x = std::ldexp(next() >> 31 ? mantissa : -mantissa, exponent);
         }

@@ -62,6 +62,7 @@ public:
         for (int i = 0; i < 3; ++i) {
             const glm::dvec3 &b = p[(i + 1) % 3], &c = p[(i + 2) % 3];
             const glm::dvec3 normal = (double) side * glm::cross(b, c);
+            // As derived above.
             edges_[i] = {glm::dot(normal, corner), glm::dot(normal, right) * step,
                          glm::dot(normal, up) * step,
                          largest * (0x1p-20 * oneNorm(normal) + 0x1p-47 * oneNorm(b) * oneNorm(c))};

@@ -231,8 +231,7 @@ Hit closestHitBruteForce(const FrameGeometry& geometry, const Ray& given) {
     for (uint32_t id = 0; id < geometry.triangles.size(); ++id) {
         TriangleHit candidate;
         if (intersect(ray, geometry.triangles[id], candidate) &&
-            isNearer(candidate.t, id, best.t, best.primitive) &&
-            !isSkipped(geometry, ray, id) &&
+            isNearer(candidate.t, id, best.t, best.primitive) && !isSkipped(geometry, ray, id) &&
             isHit(geometry, ray.direction, id, candidate.u, candidate.v))
             best = {id, candidate.t, candidate.u, candidate.v, 0, 0};
     }

@@ -90,8 +90,8 @@ void ViewWalk::run(const double& limit, uint64_t& steps, Visit&& visit) {
         const Exit exit = exitOf(level);
         const double near = std::min(depth_, exit.near), far = std::max(depth_, exit.far);
         const DepthBounds& bounds = pyramid_.levels[level].at(column_ >> level, row_ >> level);
-        const bool empty = bounds.far < near * (1.0 - kDepthSlack) ||
-                           bounds.near > far * (1.0 + kDepthSlack);
+        const bool empty =
+            bounds.far < near * (1.0 - kDepthSlack) || bounds.near > far * (1.0 + kDepthSlack);
         if (!empty && level > 0) {
             --level;
             continue;

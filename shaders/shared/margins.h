@@ -82,7 +82,7 @@ const double kDepthSlack = DIRT_TWO_TO_MINUS(48);
 
 #ifdef __cplusplus
 
-// ---------------------------------------------------------------- backend_cpu: the walk, the leaves
+// ---------------------------------------------------------------- backend_cpu: walk and leaves
 
 /// Parameters and depths of SIMD's walk (tile_walk-inl.h), and the part of |o| that the depth of a
 /// ray has to keep for its proof to hold (tracer.cpp).

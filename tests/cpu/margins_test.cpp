@@ -1,4 +1,5 @@
-// What the derivations of the CPU backend's margins need, counted anew (see tests/grid/margins_test).
+// What the derivations of the CPU backend's margins need, counted anew (see
+// tests/grid/margins_test).
 
 #include "core/grid/view.h"
 

@@ -1,6 +1,6 @@
-// What the shaders compute of a ray, number for number, against core: crossings and their order, the
-// part in a view, weights of triangles, new origins. Hits alone would not tell of a margin that is a
-// little too small.
+// What the shaders compute of a ray, number for number, against core: crossings and their order,
+// the part in a view, weights of triangles, new origins. Hits alone would not tell of a margin that
+// is a little too small.
 
 #include "backend_gl/gl_context.h"
 #include "backend_gl/grid_views.h"

@@ -106,7 +106,7 @@ TEST(Coverage, DecidesEdgesThroughCornersExactly) {
         for (int i = 0; i < 1000; ++i) {
             const View& view = set.views[(size_t) random.below(6)];
             const CornerTriangle corner = throughCorner(random, view);
-            const TileCase c{&set,       &view,      corner.triangle,
+            const TileCase c{&set,          &view,      corner.triangle,
                              corner.column, corner.row, "through a corner"};
             ASSERT_EQ(violation(c), "") << describe(c);
         }

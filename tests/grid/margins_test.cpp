@@ -1,5 +1,6 @@
-// What the derivations of shaders/shared/margins.h need, counted anew: none of the margins that core
-// uses is less. Where more than twice as much is there, a half would do, and no other test can tell.
+// What the derivations of shaders/shared/margins.h need, counted anew: none of the margins that
+// core uses is less. Where more than twice as much is there, a half would do, and no other test can
+// tell.
 
 #include "core/grid/view.h"
 

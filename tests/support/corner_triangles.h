@@ -33,7 +33,8 @@ inline CornerTriangle throughCorner(Random& random, const View& view) {
         c = {(float) random.uniform(-1, 1), (float) random.uniform(-1, 1),
              (float) random.uniform(-1, 1)};
     const float scale = (float) random.powerOfTwo(-8, 0);
-    return {column, row,
+    return {column,
+            row,
             {fromView(view, a * scale), fromView(view, b * scale), fromView(view, c * scale)}};
 }
 
