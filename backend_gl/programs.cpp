@@ -18,7 +18,15 @@ std::string define(const char* name, int value) {
 std::vector<std::string> surfaceDefines(const SurfaceVariant& surfaces) {
     std::vector<std::string> defines = {define("DIRT_NORMALS", surfaces.normals),
                                         define("DIRT_TEXTURES", surfaces.textures),
-                                        define("DIRT_BUMPS", surfaces.bumps)};
+                                        define("DIRT_BUMPS", surfaces.bumps),
+                                        define("DIRT_NORMAL_MAPS", surfaces.normalMaps),
+                                        define("DIRT_ROUGHNESS_MAPS", surfaces.roughnessMaps),
+                                        define("DIRT_METALLIC_MAPS", surfaces.metallicMaps),
+                                        define("DIRT_TEXTURE_FACTORS", surfaces.factors),
+                                        define("DIRT_TEXTURE_WRAPS", surfaces.wraps),
+                                        define("DIRT_TEXTURE_TRANSFORMS", surfaces.transforms),
+                                        define("DIRT_LINEAR_BYTES", surfaces.linearBytes),
+                                        define("DIRT_COLORS", surfaces.colors)};
     if (surfaces.textures) {
         defines.push_back(define("DIRT_TEXEL_PIECES", surfaces.texelPieces));
         defines.push_back(define("DIRT_TEXEL_PIECE_BITS", surfaces.texelPieceBits));

@@ -30,9 +30,20 @@ struct SurfaceVariant {
     bool cutOuts = false;
     int texelPieces = 1;
     int texelPieceBits = 0; ///< log2 of a piece's words
+    bool normalMaps = false, roughnessMaps = false, metallicMaps = false;
+    bool factors = false;                   ///< of maps of Kd
+    bool wraps = false, transforms = false; ///< of textures
+    bool linearBytes = false;               ///< textures of bytes that are data
+    bool colors = false;                    ///< of vertices
 
+    /// Texels of a material (include/materials.glsl).
+    int materialTexels() const {
+        return factors || normalMaps || roughnessMaps || metallicMaps ? 6 : 4;
+    }
     /// Words that a rasterized triangle leaves with its hits.
-    int depositWords() const { return 10 + (normals ? 9 : 0) + (textures ? 6 : 0); }
+    int depositWords() const {
+        return 10 + (normals ? 9 : 0) + (textures ? 6 : 0) + (colors ? 9 : 0);
+    }
 };
 
 /// The programs of the passes. Variants differ by what the frame asks for, and by the driver's

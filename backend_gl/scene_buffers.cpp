@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
+#include <map>
 #include <string>
+#include <utility>
 
 namespace dirt {
 namespace {
@@ -51,26 +54,60 @@ std::vector<uint32_t> wordsOf(const ScalarTexture& texture) {
 }
 
 bool needsTextures(const Scene& scene, const Requirements& need) {
+    if (scene.mesh.texcoords.empty()) return false;
     const auto hasOpacityMap = [](const Material& m) { return m.opacityMap != kNoTexture; };
     return need.diffuseTextures || need.emissionTextures || need.reflectanceTextures ||
-           need.bumps ||
-           (need.cutOuts && !scene.mesh.texcoords.empty() &&
+           need.roughnessTextures || need.metallicTextures || need.bumps || need.normalMaps ||
+           (need.cutOuts &&
             std::any_of(scene.materials.begin(), scene.materials.end(), hasOpacityMap));
+}
+
+SurfaceVariant variantOf(const Scene& scene, const Requirements& need) {
+    SurfaceVariant variant;
+    variant.normals = need.shadingNormals;
+    variant.textures = needsTextures(scene, need);
+    variant.bumps = need.bumps;
+    variant.cutOuts = need.cutOuts;
+    variant.normalMaps = need.normalMaps;
+    variant.roughnessMaps = need.roughnessTextures;
+    variant.metallicMaps = need.metallicTextures;
+    variant.factors = need.textureFactors;
+    variant.wraps = need.textureWraps;
+    variant.transforms = need.textureTransforms;
+    variant.linearBytes =
+        variant.textures &&
+        std::any_of(scene.textures.begin(), scene.textures.end(), [](const Texture& texture) {
+            return texture.encoding() == TexelEncoding::linear && texture.linearTexels().empty();
+        });
+    variant.colors = need.vertexColors;
+    return variant;
+}
+
+/// What the last word of a texture's entry says of its sampling.
+uint32_t samplingBits(const TextureSampling& sampling) {
+    return (uint32_t) sampling.wrapU << 4 | (uint32_t) sampling.wrapV << 6 |
+           (sampling.transformed ? 0x100u : 0u);
+}
+
+uint32_t kindBits(const Texture& texture) {
+    const bool linear = texture.encoding() == TexelEncoding::linear;
+    return !texture.linearTexels().empty() ? 1 : linear ? 2 : 0;
 }
 
 } // namespace
 
 void SceneBuffers::upload(const Scene& scene, const Requirements& need) {
     *this = {}; // before the next ones are allocated
-    variant_.normals = need.shadingNormals;
-    variant_.bumps = need.bumps;
-    variant_.cutOuts = need.cutOuts;
-    variant_.textures = needsTextures(scene, need);
+    variant_ = variantOf(scene, need);
     uploadMaterials(scene);
     const Mesh& mesh = scene.mesh;
     if (need.shadingNormals) {
         normalIndices_ = texelBuffer(GL_RGB32UI, sizeof(Corners), mesh.normalIndices, "triangles");
         normals_ = texelBuffer(GL_RGB32F, sizeof(glm::vec3), mesh.normals, "normals");
+    }
+    if (variant_.colors) {
+        colorIndices_ = texelBuffer(GL_RGB32UI, sizeof(Corners), mesh.triangles, "triangles");
+        colors_ = texelBuffer(GL_RGB32F, sizeof(glm::vec3), mesh.colors, "vertex colours");
     }
     if (variant_.textures) {
         texcoordIndices_ =
@@ -94,8 +131,13 @@ void SceneBuffers::uploadMaterials(const Scene& scene) {
             wordsOf(glm::vec3(m.reflectance, m.metallic, m.roughness), ofData(m.reflectanceMap)));
         // Its sign says whether the surface has one side.
         const float opacity = m.doubleSided ? m.opacity : -m.opacity;
+        const uint32_t heights = m.normalMap == kNoTexture ? m.bumpMap : kNoTexture;
         words.push_back({std::bit_cast<uint32_t>(opacity), std::bit_cast<uint32_t>(m.bumpScale),
-                         ofData(m.bumpMap), ofData(m.opacityMap)});
+                         ofData(heights), ofData(m.opacityMap)});
+        if (variant_.materialTexels() == 4) continue;
+        words.push_back(wordsOf(m.diffuseMapFactor, m.normalMap));
+        words.push_back({std::bit_cast<uint32_t>(m.normalScale), ofData(m.roughnessMap),
+                         ofData(m.metallicMap), 0});
     }
     materials_ = texelBuffer(GL_RGBA32UI, sizeof(Words), words, "materials");
     materialOf_ = texelBuffer(GL_R32UI, sizeof(uint32_t), scene.mesh.materials, "triangles");
@@ -104,13 +146,23 @@ void SceneBuffers::uploadMaterials(const Scene& scene) {
 void SceneBuffers::uploadTextures(const Scene& scene) {
     std::vector<Words> table;
     uint64_t total = 0;
+    std::map<const void*, uint64_t> places; // of texels, which several may share
+    std::vector<std::pair<uint64_t, std::function<std::vector<uint32_t>()>>> texels;
     const auto enter = [&](const auto& texture, uint32_t kind, uint64_t words) {
-        table.push_back(
-            {(uint32_t) total, (uint32_t) texture.width(), (uint32_t) texture.height(), kind});
-        total += words;
+        const auto [place, isNew] = places.try_emplace(texture.identity(), total);
+        if (isNew) {
+            texels.emplace_back(total, [&texture] { return wordsOf(texture); });
+            total += words;
+        }
+        const TextureSampling& sampling = texture.sampling();
+        table.push_back({(uint32_t) place->second, (uint32_t) texture.width(),
+                         (uint32_t) texture.height(), kind | samplingBits(sampling)});
+        if (!variant_.transforms) return;
+        for (const glm::vec3& row : {sampling.rowU, sampling.rowV})
+            table.push_back(wordsOf(row, 0));
     };
     for (const Texture& texture : scene.textures)
-        enter(texture, texture.linearTexels().empty() ? 0 : 1, wordCount(texture));
+        enter(texture, kindBits(texture), wordCount(texture));
     for (const ScalarTexture& texture : scene.scalarTextures)
         enter(texture, 0, (uint64_t) texture.width() * (uint64_t) texture.height());
     GLint most = 0;
@@ -135,16 +187,18 @@ void SceneBuffers::uploadTextures(const Scene& scene) {
             done += count;
         }
     };
-    size_t entry = 0;
-    for (const Texture& texture : scene.textures) write(table[entry++][0], wordsOf(texture));
-    for (const ScalarTexture& texture : scene.scalarTextures)
-        write(table[entry++][0], wordsOf(texture));
+    for (const auto& [place, words] : texels) write(place, words());
     variant_.texelPieces = (int) pieces.size();
     for (GlBuffer& words : pieces) texels_.emplace_back(GL_R32UI, std::move(words));
     textureTable_ = texelBuffer(GL_RGBA32UI, sizeof(Words), table, "textures");
-    const auto& decoded = Texture::decodedBytes(TexelEncoding::srgb);
-    decodedBytes_ =
-        TexelBuffer(GL_R32F, sizeof(float), sizeof decoded, decoded.data(), "decoded bytes");
+    std::vector<float> decoded;
+    const auto append = [&](TexelEncoding encoding) {
+        const auto& values = Texture::decodedBytes(encoding);
+        decoded.insert(decoded.end(), values.begin(), values.end());
+    };
+    append(TexelEncoding::srgb);
+    if (variant_.linearBytes) append(TexelEncoding::linear);
+    decodedBytes_ = texelBuffer(GL_R32F, sizeof(float), decoded, "decoded bytes");
 }
 
 void SceneBuffers::bind() const {
@@ -157,8 +211,10 @@ void SceneBuffers::bind() const {
                                textureTable_.texture(),
                                decodedBytes_.texture(),
                                texels_.size() > 0 ? texels_[0].texture() : 0,
-                               texels_.size() > 1 ? texels_[1].texture() : 0};
-    glBindTextures(6, 10, textures);
+                               texels_.size() > 1 ? texels_[1].texture() : 0,
+                               colorIndices_.texture(),
+                               colors_.texture()};
+    glBindTextures(6, 12, textures);
 }
 
 std::vector<BufferSize> SceneBuffers::sizes() const {
@@ -167,6 +223,7 @@ std::vector<BufferSize> SceneBuffers::sizes() const {
         if (bytes > 0) sizes.emplace_back(name, bytes);
     };
     add("normals", normalIndices_.bytes() + normals_.bytes());
+    add("vertex colours", colorIndices_.bytes() + colors_.bytes());
     add("texture coordinates", texcoordIndices_.bytes() + texcoords_.bytes());
     uint64_t texels = textureTable_.bytes() + decodedBytes_.bytes();
     for (const TexelBuffer& piece : texels_) texels += piece.bytes();

@@ -11,7 +11,7 @@
 namespace dirt {
 
 /// What Fetch reads of a scene: materials, and the attributes and texels that its requirements ask
-/// for. Textures 6 to 15 of include/attributes.glsl and include/textures.glsl.
+/// for. Textures 6 to 17 of include/attributes.glsl and include/textures.glsl.
 class SceneBuffers {
 public:
     /// Throws InputError where the driver's buffers are too short for the scene.
@@ -28,6 +28,7 @@ private:
     SurfaceVariant variant_;
     TexelBuffer materialOf_, materials_;
     TexelBuffer normalIndices_, normals_, texcoordIndices_, texcoords_;
+    TexelBuffer colorIndices_, colors_;
     TexelBuffer textureTable_, decodedBytes_;
     std::vector<TexelBuffer> texels_; ///< pieces of one sequence of words
 };

@@ -1,6 +1,5 @@
 // A triangle's attributes, by primitive id, and what Fetch makes of them: core/path/surface.h.
-// DIRT_NORMALS, DIRT_TEXTURES and DIRT_BUMPS say what the scene
-// has.
+// DIRT_NORMALS, DIRT_COLORS, DIRT_TEXTURES, DIRT_BUMPS and the others say what the scene has.
 
 #include "include/frame.glsl"
 #include "include/triangles.glsl"
@@ -11,6 +10,11 @@
 layout(binding = 8) uniform usamplerBuffer normalIndices;
 layout(binding = 9) uniform samplerBuffer normals;
 #endif
+#if DIRT_COLORS
+layout(binding = 16) uniform usamplerBuffer colorIndices;
+layout(binding = 17) uniform samplerBuffer colors;
+#endif
+
 struct Attributes {
     Triangle triangle;
     uint material;
@@ -21,6 +25,9 @@ struct Attributes {
 #if DIRT_TEXTURES
     bool hasTexcoords;
     vec2 texcoords[3];
+#endif
+#if DIRT_COLORS
+    vec3 colors[3];
 #endif
 };
 
@@ -42,26 +49,52 @@ Attributes attributesOf(uint primitive) {
         attributes.texcoords[i] =
             attributes.hasTexcoords ? texelFetch(texcoords, int(t[i])).xy : vec2(0.0);
 #endif
+#if DIRT_COLORS
+    uvec3 c = texelFetch(colorIndices, int(primitive)).xyz;
+    for (int i = 0; i < 3; ++i) attributes.colors[i] = texelFetch(colors, int(c[i])).xyz;
+#endif
     return attributes;
 }
+
+#if DIRT_BUMPS || DIRT_NORMAL_MAPS
+/// Two edges of a triangle, and how an image's coordinates differ along them.
+struct Edges {
+    vec3 e, f;
+    vec2 de, df;
+};
+
+Edges edgesOf(Attributes attributes, uint map) {
+    Triangle t = attributes.triangle;
+    precise vec3 e = t.b - t.a, f = t.c - t.a;
+    precise vec2 de = attributes.texcoords[1] - attributes.texcoords[0];
+    precise vec2 df = attributes.texcoords[2] - attributes.texcoords[0];
+    return Edges(e, f, imageDifference(map, de), imageDifference(map, df));
+}
+#endif
 
 #if DIRT_BUMPS
 /// A normal, turned by the material's heights.
 vec3 bumped(Attributes attributes, uvec4 part, vec2 texcoord, vec3 normal) {
     precise vec2 slopes = slopesOf(part.z, texcoord) * uintBitsToFloat(part.y);
-    Triangle t = attributes.triangle;
-    precise vec3 e = t.b - t.a, f = t.c - t.a;
-    precise vec2 de = attributes.texcoords[1] - attributes.texcoords[0];
-    precise vec2 df = attributes.texcoords[2] - attributes.texcoords[0];
-    return bumpedNormal(normal, e, f, de, df, slopes);
+    Edges edges = edgesOf(attributes, part.z);
+    return bumpedNormal(normal, edges.e, edges.f, edges.de, edges.df, slopes);
+}
+#endif
+
+#if DIRT_NORMAL_MAPS
+/// A normal, turned by the material's normal map.
+vec3 mapped(Attributes attributes, uint map, float scale, vec2 texcoord, vec3 normal) {
+    vec3 local = normalOfTexel(sampleTexture(map, texcoord), scale);
+    Edges edges = edgesOf(attributes, map);
+    return mappedNormal(normal, edges.e, edges.f, edges.de, edges.df, local);
 }
 #endif
 
 /// fetchSurface: the surface point at (u, v), seen along a direction.
 SurfacePoint surfaceAt(Attributes attributes, uint primitive, float u, float v, vec3 direction) {
     Triangle t = attributes.triangle;
-    uvec4 parts[4];
-    for (int i = 0; i < 4; ++i) parts[i] = materialTexel(attributes.material, i);
+    uvec4 parts[kMaterialTexels];
+    for (int i = 0; i < kMaterialTexels; ++i) parts[i] = materialTexel(attributes.material, i);
     SurfacePoint point;
     point.primitive = primitive;
     point.u = u;
@@ -81,19 +114,43 @@ SurfacePoint surfaceAt(Attributes attributes, uint primitive, float u, float v, 
     point.diffuse = uintBitsToFloat(parts[0].xyz);
     point.emission = uintBitsToFloat(parts[1].xyz);
     precise float reflectance = uintBitsToFloat(parts[2].x);
+    float roughness = uintBitsToFloat(parts[2].z), metallic = uintBitsToFloat(parts[2].y);
 #if DIRT_TEXTURES
     if (attributes.hasTexcoords) {
         vec2 texcoord = interpolate(attributes.texcoords[0], attributes.texcoords[1],
                                     attributes.texcoords[2], u, v);
-        if (parts[0].w != kNoTexture) point.diffuse = sampleTexture(parts[0].w, texcoord);
+        if (parts[0].w != kNoTexture) {
+            precise vec3 diffuse = sampleTexture(parts[0].w, texcoord);
+#if DIRT_TEXTURE_FACTORS
+            diffuse = diffuse * uintBitsToFloat(parts[4].xyz);
+#endif
+            point.diffuse = diffuse;
+        }
         if (parts[1].w != kNoTexture) {
             precise vec3 emission = point.emission * sampleTexture(parts[1].w, texcoord);
             point.emission = emission;
         }
         if (parts[2].w != kNoTexture)
             reflectance = reflectance * sampleScalar(parts[2].w, texcoord);
+#if DIRT_ROUGHNESS_MAPS
+        if (parts[5].y != kNoTexture)
+            roughness = mappedRoughness(roughness, sampleScalar(parts[5].y, texcoord));
+#endif
+#if DIRT_METALLIC_MAPS
+        if (parts[5].z != kNoTexture)
+            metallic = mappedMetallic(metallic, sampleScalar(parts[5].z, texcoord));
+#endif
+#if DIRT_NORMAL_MAPS
+        if (parts[4].w != kNoTexture) {
+            // It stands on the side of the surface's own normal, whichever is seen.
+            vec3 base = shadingNormalFrom(normal, normal);
+            float scale = uintBitsToFloat(parts[5].x);
+            normal = mapped(attributes, parts[4].w, scale, texcoord, base);
+            point.shadingNormal = shadingNormalFrom(normal, point.geometricNormal);
+        }
+#endif
 #if DIRT_BUMPS
-        if (parts[3].z != kNoTexture) {
+        if (parts[3].z != kNoTexture) { // never where there is a normal map
             // Heights rise on the side of the surface's own normal, whichever is seen.
             vec3 base = shadingNormalFrom(normal, normal);
             normal = bumped(attributes, parts[3], texcoord, base);
@@ -102,11 +159,20 @@ SurfacePoint surfaceAt(Attributes attributes, uint primitive, float u, float v, 
 #endif
     }
 #endif
+#if DIRT_COLORS
+    precise vec3 coloured =
+        point.diffuse *
+        interpolate(attributes.colors[0], attributes.colors[1], attributes.colors[2], u, v);
+    point.diffuse = coloured;
+#endif
+#if DIRT_METALLIC_MAPS
+    if (parts[5].z != kNoTexture) reflectance = metalReflectance(reflectance, metallic);
+#endif
     point.roughness = 0.0;
     point.gloss = 0u;
     if (reflectance > 0.0) {
-        point.roughness = uintBitsToFloat(parts[2].z);
-        point.gloss = packGloss(reflectance < 1.0 ? reflectance : 1.0, uintBitsToFloat(parts[2].y));
+        point.roughness = roughness;
+        point.gloss = packGloss(reflectance < 1.0 ? reflectance : 1.0, metallic);
     }
     return point;
 }

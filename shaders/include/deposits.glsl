@@ -27,6 +27,11 @@ void deposit(uint group, Attributes attributes) {
     if (attributes.hasTexcoords) material |= kHasTexcoords;
     for (uint k = 0u; k < 6u; ++k)
         deposits[end + k] = floatBitsToUint(attributes.texcoords[k / 2u][k % 2u]);
+    end += 6u;
+#endif
+#if DIRT_COLORS
+    for (uint k = 0u; k < 9u; ++k)
+        deposits[end + k] = floatBitsToUint(attributes.colors[k / 3u][k % 3u]);
 #endif
     deposits[at + 9u] = material;
 }
@@ -51,6 +56,11 @@ Attributes deposited(uint group) {
     attributes.hasTexcoords = (material & kHasTexcoords) != 0u;
     for (uint k = 0u; k < 6u; ++k)
         attributes.texcoords[k / 2u][k % 2u] = uintBitsToFloat(deposits[end + k]);
+    end += 6u;
+#endif
+#if DIRT_COLORS
+    for (uint k = 0u; k < 9u; ++k)
+        attributes.colors[k / 3u][k % 3u] = uintBitsToFloat(deposits[end + k]);
 #endif
     return attributes;
 }

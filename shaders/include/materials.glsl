@@ -5,7 +5,17 @@
 layout(binding = 6) uniform usamplerBuffer materialOf;
 layout(binding = 7) uniform usamplerBuffer materials; // four texels each, as bits:
 // (Kd, its map), (Ke, its map), (reflectance, metallic, roughness, reflectance's map),
-// (opacity, negative of surfaces with one side, scale of heights, map of heights, opacity's map)
+// (opacity, negative of surfaces with one side, scale of heights, map of heights, opacity's map);
+// where the scene has some: (factor of Kd's map, normal map), (normal map's scale, map of roughness,
+// of metallic, 0)
+
+#if DIRT_TEXTURE_FACTORS || DIRT_NORMAL_MAPS || DIRT_ROUGHNESS_MAPS || DIRT_METALLIC_MAPS
+const int kMaterialTexels = 6;
+#else
+const int kMaterialTexels = 4;
+#endif
+
+const uint kNoTexture = 0xffffffffu;
 
 #if DIRT_TEXTURES
 #include "include/textures.glsl"
@@ -17,7 +27,7 @@ layout(binding = 11) uniform samplerBuffer texcoords;
 const uint kNoIndex = 0xffffffffu;
 
 uvec4 materialTexel(uint material, int part) {
-    return texelFetch(materials, int(material) * 4 + part);
+    return texelFetch(materials, int(material) * kMaterialTexels + part);
 }
 
 bool isPresent(uvec3 corners) {

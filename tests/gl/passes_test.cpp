@@ -147,6 +147,88 @@ TEST(GlPasses, EqualTheCpusOnATexturedRoom) {
     }
 }
 
+/// The textured room with all that a surface can have of maps, looked up in all ways, and colours
+/// of vertices; some materials have less.
+Scene mappedRoom(Random& random) {
+    Scene scene = texturedRoom(random);
+    const auto bytes = [&](int count) {
+        std::vector<uint8_t> values;
+        for (int i = 0; i < count; ++i) values.push_back((uint8_t) random.below(256));
+        return values;
+    };
+    const auto sampling = [&] {
+        const auto number = [&] { return (float) random.uniform(-2.0, 2.0); };
+        TextureSampling any;
+        any.wrapU = random.pick({Wrap::repeat, Wrap::mirror, Wrap::clamp});
+        any.wrapV = random.pick({Wrap::repeat, Wrap::mirror, Wrap::clamp});
+        any.transformed = random.chance(0.5);
+        any.rowU = {number(), number(), number()};
+        any.rowV = {number(), number(), number()};
+        return any;
+    };
+    scene.textures.emplace_back("normals", 4, 6, bytes(4 * 6 * 3), TexelEncoding::linear);
+    scene.scalarTextures = {{"rough", 3, 5, bytes(15)}, {"metal", 5, 2, bytes(10)}};
+    for (Texture& texture : scene.textures) texture = texture.with(sampling());
+    for (int i = 0; i < 6; ++i)
+        scene.scalarTextures.push_back(scene.scalarTextures[(size_t) i % 2].with(sampling()));
+    for (size_t i = 0; i < scene.materials.size(); ++i) {
+        Material& m = scene.materials[i];
+        const auto data = [&] {
+            return random.chance(0.7) ? (uint32_t) random.below(8) : kNoTexture;
+        };
+        m.diffuseMapFactor = {0.9f, (float) random.uniform(), 0.5f};
+        m.normalMap = i == 1 ? kNoTexture : 3;
+        m.normalScale = (float) random.uniform(-1.0, 1.5);
+        m.bumpMap = data(); // of which a normal map takes the place
+        m.reflectance = 0.25f;
+        m.metallic = 0.8f;
+        m.roughness = 0.7f;
+        m.roughnessMap = data();
+        m.metallicMap = i == 0 ? 1 : data();
+        m.opacityMap = i == 2 ? 2 : kNoTexture;
+        m.opacity = 0.9f;
+    }
+    for (size_t i = 0; i < scene.mesh.positions.size(); ++i)
+        scene.mesh.colors.push_back(
+            {(float) random.uniform(), (float) random.uniform(), (float) random.uniform()});
+    return scene;
+}
+
+TEST(GlPasses, EqualTheCpusOnMappedSurfaces) {
+    ThreadPool pool(2);
+    Random random(8);
+    for (int i = 0; i < cases(2, 100); ++i) {
+        RenderSettings settings;
+        settings.grid.mode = i % 2 ? ViewMode::single : ViewMode::full;
+        settings.grid.width = 41;
+        settings.grid.height = 23;
+        settings.bounces = 2;
+        settings.fetch = i % 2 ? Fetch::direct : Fetch::raster;
+        settings.shading = i % 2 ? Shading::packed : Shading::full;
+        settings.primary = i % 2 ? Primary::raster : Primary::traced;
+        const Scene scene = mappedRoom(random);
+        BothBackends both(scene, settings, sharedBackend(), pool);
+        both.sample((uint32_t) i);
+        ASSERT_FALSE(HasFailure()) << "case " << i;
+        EXPECT_GT(both.hits, 100u);
+    }
+}
+
+/// Colours and metal need no texture coordinates.
+TEST(GlPasses, EqualTheCpusOnColouredVertices) {
+    ThreadPool pool(2);
+    Random random(9);
+    Scene scene = mappedRoom(random);
+    scene.mesh.texcoords.clear();
+    scene.mesh.texcoordIndices.assign(scene.mesh.triangles.size(), {kNoIndex, kNoIndex, kNoIndex});
+    RenderSettings settings;
+    settings.grid.width = 41;
+    settings.grid.height = 23;
+    BothBackends both(scene, settings, sharedBackend(), pool);
+    both.sample(1);
+    EXPECT_GT(both.hits, 500u);
+}
+
 TEST(GlPasses, EqualTheCpusOnSmallScenes) {
     ThreadPool pool(2);
     Random random(3);

@@ -14,13 +14,25 @@ namespace dirt::test {
 namespace {
 
 /// What a scene may have of normals, textures, heights and holes; texels in one piece or two. In
-/// the suite each of them with and without the others, if not with each.
+/// the suite each of them with and without the others, if not with each. Last, of normal, roughness
+/// and metallic maps, factors, wraps, transforms, data and colours each alone, and all.
 std::vector<SurfaceVariant> surfaceVariants() {
     std::vector<SurfaceVariant> variants;
     for (bool normals : {false, true})
         for (int pieces : {0, 1, 2}) // none: no textures
             if (fullTests() || normals == (pieces > 0))
                 variants.push_back({normals, pieces > 0, pieces > 1, pieces == 1, pieces, 27});
+    for (const auto has :
+         {&SurfaceVariant::normalMaps, &SurfaceVariant::roughnessMaps,
+          &SurfaceVariant::metallicMaps, &SurfaceVariant::factors, &SurfaceVariant::wraps,
+          &SurfaceVariant::transforms, &SurfaceVariant::linearBytes, &SurfaceVariant::colors})
+        if (fullTests() || has == &SurfaceVariant::transforms) {
+            variants.push_back({false, true, false, true, 1, 27});
+            variants.back().*has = true;
+        }
+    variants.push_back({.metallicMaps = true, .colors = true}); // without textures
+    variants.push_back(
+        {true, true, true, true, 2, 27, true, true, true, true, true, true, true, true});
     return variants;
 }
 
