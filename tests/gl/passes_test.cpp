@@ -214,6 +214,41 @@ TEST(GlPasses, EqualTheCpusOnMappedSurfaces) {
     }
 }
 
+/// Bytes of a buffer of the scene's; 0: there is none.
+uint64_t sceneBytes(const Scene& scene, const char* name) {
+    GlBackend& gl = sharedBackend();
+    const RenderSettings settings;
+    gl.beginFrame(scene, settings, requirementsOf(scene, settings, true));
+    for (const auto& [buffer, bytes] : gl.memory())
+        if (buffer == name) return bytes;
+    return 0;
+}
+
+/// Where a scene has none of it, a material has 64 bytes, a texture's entry 16, and the decoded
+/// bytes are those of sRGB; textures that share their texels have them once.
+TEST(GlPasses, KeepOnlyWhatTheSceneHas) {
+    Random random(10);
+    Scene scene = texturedRoom(random);
+    const uint64_t triangles = scene.mesh.triangles.size(), materials = scene.materials.size();
+    const uint64_t texels = 4 * (5 * 3 + 2 * 7 * 3 + 1), decoded = 256 * 4;
+    EXPECT_EQ(sceneBytes(scene, "materials"), 4 * triangles + 64 * materials);
+    EXPECT_EQ(sceneBytes(scene, "textures"), texels + 3 * 16 + decoded);
+    EXPECT_EQ(sceneBytes(scene, "vertex colours"), 0u);
+
+    TextureSampling sampling;
+    sampling.wrapU = Wrap::mirror;
+    scene.textures[2] = scene.textures[0].with(sampling);
+    EXPECT_EQ(sceneBytes(scene, "textures"), texels - 4 + 3 * 16 + decoded);
+    sampling.transformed = true;
+    scene.textures[2] = scene.textures[0].with(sampling);
+    EXPECT_EQ(sceneBytes(scene, "textures"), texels - 4 + 3 * 48 + decoded);
+    scene.materials[0].diffuseMapFactor.x = 0.5f;
+    EXPECT_EQ(sceneBytes(scene, "materials"), 4 * triangles + 96 * materials);
+    scene.mesh.colors.assign(scene.mesh.positions.size(), glm::vec3(1.0f));
+    EXPECT_EQ(sceneBytes(scene, "vertex colours"),
+              12 * triangles + 12 * scene.mesh.positions.size());
+}
+
 /// Colours and metal need no texture coordinates.
 TEST(GlPasses, EqualTheCpusOnColouredVertices) {
     ThreadPool pool(2);

@@ -32,6 +32,7 @@ class Obj:
     def __init__(self, library):
         self.lines = ["mtllib " + library]
         self.counts = {"v": 0, "vt": 0, "vn": 0}
+        self.quad_colors = None  # of the corners of quads
 
     def add(self, kind, *numbers):
         self.lines.append(kind + "".join(f" {n:.6g}" for n in numbers))
@@ -43,8 +44,10 @@ class Obj:
 
     def quad(self, corner, u, v, repeat=1):
         vertices, coordinates = [], []
-        for s, t in ((0, 0), (1, 0), (1, 1), (0, 1)):
-            vertices.append(self.add("v", *(c + s * a + t * b for c, a, b in zip(corner, u, v))))
+        for i, (s, t) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
+            colors = self.quad_colors[i] if self.quad_colors else ()
+            place = (c + s * a + t * b for c, a, b in zip(corner, u, v))
+            vertices.append(self.add("v", *place, *colors))
             coordinates.append(self.add("vt", s * repeat, t * repeat))
         self.lines.append("f" + "".join(f" {a}/{b}" for a, b in zip(vertices, coordinates)))
 
@@ -97,6 +100,17 @@ def textures():
             if (a / 9) ** 2 + (b / 3.5) ** 2 < 1: return 1
         return 0
 
+    def pillow(x, y):
+        a, b = (x % 16 - 7.5) / 8, (7.5 - y % 16) / 8
+        n = (0.8 * a ** 3, 0.8 * b ** 3, 1)
+        return [0.5 + 0.5 * c / math.hypot(*n) for c in n]
+
+    png("pillows.png", 32, 32, 3, pillow)
+    # Occlusion (which nothing reads), roughness, metal.
+    png("plates.png", 32, 32, 3, lambda x, y: (1, 0.25 + 0.5 * (y // 8 % 2),
+                                               1 if (x // 8 + y // 8) % 2 else 0))
+    png("arrow.png", 16, 16, 3, lambda x, y: (0.8, 0.2, 0.1)
+        if y >= 3 and abs(x - 7.5) < (1.6 if y > 8 else y - 2) else (0.85, 0.8, 0.6))
     png("leaf_mask.png", 64, 64, 1, lambda x, y: (leaf(x, y),))
     png("leaf.png", 64, 64, 4, lambda x, y: (0.2, 0.45 + 0.1 * (x % 2), 0.1, leaf(y, x)))
 
@@ -135,7 +149,27 @@ def cards():
     obj.write("cards.obj")
 
 
+def maps():
+    """Maps of normals, roughness and metal, transforms, borders that continue, colours."""
+    obj = Obj("maps.mtl")
+    obj.quad_colors = ((1, 1, 1), (1, 0.8, 0.7), (0.7, 0.8, 1), (0.8, 1, 0.8))
+    room(obj)
+    obj.quad_colors = None
+    for i, name in enumerate(("pillows", "plates", "dents")):
+        obj.use(name)
+        obj.sphere((-1.25 + 1.25 * i, 0.45, -0.2), 0.45)
+    for i, name in enumerate(("clamped", "turned")):
+        obj.use(name)
+        obj.quad((-1.7 + 1.75 * i, 1.2, -1.2), (1.6, 0, 0), (0, 1.2, 0), 2)
+    obj.use("mirrored")
+    obj.quad((1.95, 0.6, 0.6), (0, 0, -1.6), (0, 1.2, 0), -2)
+    obj.use("hole")
+    obj.quad((-1.4, 0, 0.9), (2.8, 0, 0), (0, 0.5, 0), 3)
+    obj.write("maps.obj")
+
+
 FOLDER.mkdir(exist_ok=True)
 textures()
 materials()
 cards()
+maps()
