@@ -12,7 +12,7 @@ namespace dirt {
 /// and, in wavefront, of Ke: Kd is then that of a material that says nothing, and nothing shines.
 ///
 /// In wavefront every texture replaces its number, as in Blender. (But Ke above 1 multiplies
-/// map_Ke.) There map_bump is a normal map where the image is one (see readsAsNormals), and a file
+/// map_Ke.) There map_bump is a normal map where the image is one (see isNormalMap), and a file
 /// that is not found is looked for by its name alone beside the MTL file.
 void addTextures(const MaterialLibraries::Entry& entry, TextureLoader& textures, LoadReport& report,
                  Material& material);
