@@ -102,12 +102,12 @@ std::string csvOf(const Json& json) {
 Json headJson(const Input& input) {
     const RenderSettings& around = input.settings;
     const Camera& camera = input.scene.camera;
-    const auto list = [](glm::vec3 v) { return Json{v.x, v.y, v.z}; };
+    const auto list = [](glm::dvec3 v) { return Json{v.x, v.y, v.z}; };
     Json json;
     json["scene"] = input.scene.name;
     json["triangles"] = input.scene.mesh.triangles.size();
-    json["camera"] = {{"eye", list(camera.eye)},
-                      {"target", list(camera.target)},
+    json["camera"] = {{"eye", list(input.scene.inFiles(camera.eye))},
+                      {"target", list(input.scene.inFiles(camera.target))},
                       {"up", list(camera.up)},
                       {"fov", camera.verticalFov}};
     json["size"] = {around.grid.width, around.grid.height};

@@ -160,6 +160,8 @@ Json manifest(const Input& input, const Backend& backend, const Executor& execut
     for (const char* key : {"passes", "build_ms", "memory", "threads", "spp"}) json.erase(key);
     const GridFrame frame = backend.readGeometry().frame;
     json["sample"] = 0;
+    const glm::dvec3 origin = input.scene.origin;
+    json["origin"] = {origin.x, origin.y, origin.z};
     json["frame"] = {{"eye", vectorJson(frame.eye)},
                      {"right", vectorJson(frame.right)},
                      {"down", vectorJson(frame.down)},

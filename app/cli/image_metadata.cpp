@@ -1,5 +1,7 @@
 #include "app/cli/image_metadata.h"
 
+#include "app/cli/structure_options.h"
+
 #include <cstdio>
 
 namespace dirt {
@@ -7,14 +9,13 @@ namespace dirt {
 namespace {
 
 /// As the options that place it.
-std::string textOf(const Camera& camera) {
-    char text[256];
-    const glm::vec3 eye = camera.eye, target = camera.target, up = camera.up;
-    std::snprintf(text, sizeof text,
-                  "--eye=%.9g,%.9g,%.9g --target=%.9g,%.9g,%.9g --up=%.9g,%.9g,%.9g --fov=%.9g",
-                  eye.x, eye.y, eye.z, target.x, target.y, target.z, up.x, up.y, up.z,
-                  camera.verticalFov);
-    return text;
+std::string textOf(const Scene& scene) {
+    char text[128];
+    const glm::vec3 up = scene.camera.up;
+    std::snprintf(text, sizeof text, " --up=%.9g,%.9g,%.9g --fov=%.9g", up.x, up.y, up.z,
+                  scene.camera.verticalFov);
+    return "--eye=" + pointOption(scene, scene.camera.eye) +
+           " --target=" + pointOption(scene, scene.camera.target) + text;
 }
 
 } // namespace
@@ -22,7 +23,7 @@ std::string textOf(const Camera& camera) {
 ImageMetadata metadataOf(const Input& input, const RenderSettings& settings, int samples) {
     const bool full = settings.grid.mode == ViewMode::full;
     ImageMetadata metadata = {{"dirt:scene", input.scene.name},
-                              {"dirt:camera", textOf(input.scene.camera)},
+                              {"dirt:camera", textOf(input.scene)},
                               {"dirt:samples", std::to_string(samples)},
                               {"dirt:bounces", std::to_string(settings.bounces)},
                               {"dirt:seed", std::to_string(settings.seed)},

@@ -64,7 +64,7 @@ SceneCounts count(const Input& input) {
     return counts;
 }
 
-Json vectorJson(glm::vec3 v) {
+Json vectorJson(glm::dvec3 v) {
     return {v.x, v.y, v.z};
 }
 
@@ -158,9 +158,11 @@ Json describe(const Input& input, const Backend& backend, const Executor& execut
     json["lights"] = scene.lights.size();
     json["emissive_triangles"] = counts.emissiveTriangles;
     json["background"] = vectorJson(scene.background);
-    json["bounds"] = {{"min", vectorJson(counts.low)}, {"max", vectorJson(counts.high)}};
-    json["camera"] = {{"eye", vectorJson(scene.camera.eye)},
-                      {"target", vectorJson(scene.camera.target)},
+    json["bounds"] = {{"min", vectorJson(scene.inFiles(counts.low))},
+                      {"max", vectorJson(scene.inFiles(counts.high))}};
+    json["origin"] = vectorJson(scene.origin);
+    json["camera"] = {{"eye", vectorJson(scene.inFiles(scene.camera.eye))},
+                      {"target", vectorJson(scene.inFiles(scene.camera.target))},
                       {"up", vectorJson(scene.camera.up)},
                       {"fov", scene.camera.verticalFov}};
     json["animation"] = animationJson(scene.animation);
@@ -168,10 +170,8 @@ Json describe(const Input& input, const Backend& backend, const Executor& execut
     const Requirements need = requirementsOf(scene, input.settings, rasterizes);
     json["requirements"] = requirementsJson(need, input, rasterizes);
     json["buffers"] = bufferJson(need, input, backend);
-    const PrecisionReach reach = precisionReach(scene.mesh, backend.readGeometry());
-    json["precision"] = precisionJson(reach);
+    json["precision"] = precisionJson(input.precision);
     json["warnings"] = Json::array();
-    for (const std::string& warning : precisionWarnings(reach)) json["warnings"].push_back(warning);
     for (const Warning& warning : input.warnings) json["warnings"].push_back(warning.text);
     json["ignored"] = input.ignored;
     return json;
@@ -189,8 +189,17 @@ std::string megabytes(uint64_t bytes) {
 
 std::string vectorText(const Json& v) {
     char text[96];
-    std::snprintf(text, sizeof text, "(%g, %g, %g)", v[0].get<float>(), v[1].get<float>(),
-                  v[2].get<float>());
+    std::snprintf(text, sizeof text, "(%g, %g, %g)", v[0].get<double>(), v[1].get<double>(),
+                  v[2].get<double>());
+    return text;
+}
+
+/// With all digits that a scene far from 0 needs.
+std::string pointText(const Json& v, const Json& origin) {
+    if (origin == Json{0.0, 0.0, 0.0}) return vectorText(v);
+    char text[96];
+    std::snprintf(text, sizeof text, "(%.12g, %.12g, %.12g)", v[0].get<double>(),
+                  v[1].get<double>(), v[2].get<double>());
     return text;
 }
 
@@ -229,9 +238,13 @@ void printScene(const Json& info) {
                              megabytes(info["textures"]["bytes"]));
     printRow("lights", countText(info["lights"]));
     printRow("background", vectorText(info["background"]));
-    printRow("box", vectorText(info["bounds"]["min"]) + " .. " + vectorText(info["bounds"]["max"]));
-    printRow("camera",
-             vectorText(info["camera"]["eye"]) + " to " + vectorText(info["camera"]["target"]));
+    const Json& origin = info["origin"];
+    const auto points = [&](const Json& a, const char* between, const Json& b) {
+        return pointText(a, origin) + between + pointText(b, origin);
+    };
+    printRow("box", points(info["bounds"]["min"], " .. ", info["bounds"]["max"]));
+    printRow("origin", pointText(origin, origin));
+    printRow("camera", points(info["camera"]["eye"], " to ", info["camera"]["target"]));
     printRow("animation", animationText(info["animation"]));
     printRow("without area", countText(info["precision"]["triangles_without_area"]) +
                                  " triangles, which no ray hits");

@@ -46,9 +46,12 @@ bool isModel(const std::filesystem::path& file) {
     return (file.extension().string()[1] | 0x20) != 's';
 }
 
+void print(const Warning& warning) {
+    std::fprintf(stderr, "dirt: warning: %s\n", warning.text.c_str());
+}
+
 void print(const LoadedScene& loaded) {
-    for (const Warning& warning : loaded.warnings)
-        std::fprintf(stderr, "dirt: warning: %s\n", warning.text.c_str());
+    for (const Warning& warning : loaded.warnings) print(warning);
     std::string names;
     const size_t shown = std::min(loaded.ignored.size(), kIgnoredShown);
     for (size_t i = 0; i < shown; ++i) names += (i == 0 ? "" : ", ") + loaded.ignored[i];
@@ -70,16 +73,16 @@ LoadedScene load(const CommonOptions& options, Executor& executor) {
     return loadScene(options.scene, load);
 }
 
-Standpoint standpointOf(const Mesh& mesh, const CommonOptions& options, const GridSettings& grid,
+Standpoint standpointOf(const Scene& scene, const CommonOptions& options, const GridSettings& grid,
                         Executor& executor) {
     CameraHints hints;
-    hints.eye = options.eye;
-    hints.target = options.target;
+    if (options.eye) hints.eye = scene.fromFiles(*options.eye);
+    if (options.target) hints.target = scene.fromFiles(*options.target);
     hints.up = options.up.value_or(hints.up);
     hints.verticalFov = options.verticalFov.value_or(hints.verticalFov);
     hints.aspect = (float) grid.width / (float) grid.height;
     CpuBackend backend(executor);
-    return chooseStandpoint(mesh, backend, hints);
+    return chooseStandpoint(scene.mesh, backend, hints);
 }
 
 /// Tile and bins by the cost model, whose constants are the CPU's, where nothing else says them.
@@ -132,7 +135,7 @@ Input openInput(const CommonOptions& options, Executor& executor) {
     input.settings = mergeSettings(settingsOf(loaded.settings), options);
     if (!loaded.hasCamera) {
         const Standpoint standpoint =
-            standpointOf(loaded.scene.mesh, options, input.settings.grid, executor);
+            standpointOf(loaded.scene, options, input.settings.grid, executor);
         loaded.scene.camera = standpoint.camera;
         if (isModel(options.scene)) {
             loaded.scene.lights = {standpoint.light};
@@ -146,6 +149,7 @@ Input openInput(const CommonOptions& options, Executor& executor) {
     input.ignored = std::move(loaded.ignored);
     input.materialFiles = std::move(loaded.materialFiles);
     moveInput(input, options, options.frame.value_or(0), executor);
+    checkPrecision(input, options, executor);
     chooseStructure(input, options, loaded.settings, executor);
     return input;
 }
@@ -154,10 +158,23 @@ void moveInput(Input& input, const CommonOptions& options, int frame, Executor& 
     moveScene(input.scene, frame, executor);
     input.frame = frame;
     try {
-        input.scene.camera = mergeCamera(input.scene.camera, options);
+        input.scene.camera = mergeCamera(input.scene, options);
     } catch (const InputError& error) {
         if (!input.scene.animation.camera) throw;
         throw InputError("frame " + std::to_string(frame) + ", " + error.what());
+    }
+}
+
+void checkPrecision(Input& input, const CommonOptions& options, Executor& executor) {
+    const Scene& scene = input.scene;
+    input.precision = precisionReach(scene.mesh, scene.camera, input.settings.grid.mode, executor);
+    std::string place = input.frame > 0 ? "frame " + std::to_string(input.frame) + ": " : "";
+    for (const PrecisionWarning& found : precisionWarnings(input.precision)) {
+        if (!input.precisionSaid.insert(found.cause).second) continue;
+        const Warning warning{WarningKind::precision, atLine(options.scene, 0, place + found.text)};
+        if (options.strict) throw InputError(warning.text);
+        if (!options.quiet) print(warning);
+        input.warnings.push_back(warning);
     }
 }
 

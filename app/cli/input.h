@@ -3,11 +3,13 @@
 #include "app/cli/options.h"
 #include "core/frame/backend.h"
 #include "core/frame/executor.h"
+#include "core/frame/precision.h"
 #include "core/io/load_report.h"
 #include "core/io/material_convention.h"
 #include "core/scene/scene.h"
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,7 +21,9 @@ struct Input {
     RenderSettings settings; ///< options over the scene file over the defaults
     bool tileChosen = false; ///< by the cost model, as nothing else says it
     bool binsChosen = false;
-    int frame = 0; ///< that the scene is at
+    int frame = 0;                                   ///< that the scene is at
+    PrecisionReach precision;                        ///< of that frame
+    std::set<PrecisionWarning::Cause> precisionSaid; ///< what warnings has of it
     std::vector<Warning> warnings;
     std::vector<std::string> ignored; ///< names in the files that have no effect
 
@@ -40,11 +44,15 @@ std::unique_ptr<Backend> makeBackend(BackendKind kind, const CommonOptions& opti
 /// Loads SCENE of \p options and brings it to their frame. Tile and bins that neither options nor
 /// the scene's file give are the cost model's on the CPU. A scene without a camera gets one that
 /// shows its frame 0; a bare model also a light and a background. Prints the warnings on standard
-/// error unless --quiet. Throws InputError.
+/// error unless --quiet; those of precision are of the frame. Throws InputError.
 Input openInput(const CommonOptions& options, Executor& executor);
 
 /// Brings the scene of openInput to another frame. Throws InputError where that frame has no image:
 /// a vertex leaves float32, or the camera has no direction.
 void moveInput(Input& input, const CommonOptions& options, int frame, Executor& executor);
+
+/// Warns where float32 resolves the frame at hand too coarsely, of each cause once in a run. With
+/// --strict it throws InputError.
+void checkPrecision(Input& input, const CommonOptions& options, Executor& executor);
 
 } // namespace dirt

@@ -1,7 +1,8 @@
 #include "app/cli/option_values.h"
 
+#include "core/io/number.h"
+
 #include <charconv>
-#include <cmath>
 #include <string_view>
 
 namespace dirt {
@@ -58,16 +59,15 @@ CLI::Option* addNumber(CLI::App& command, const std::string& name, float low, fl
 }
 
 CLI::Option* addVector(CLI::App& command, const std::string& name, const std::string& help,
-                       std::function<void(glm::vec3)> set) {
+                       std::function<void(glm::dvec3)> set) {
     return addText(command, name, "X,Y,Z", help, [=](const std::string& text) {
         const std::string_view all = text;
         const size_t first = all.find(',');
         const size_t second = first == all.npos ? all.npos : all.find(',', first + 1);
-        glm::vec3 value{0.0f};
+        glm::dvec3 value{0.0};
         if (second == all.npos || !parse(all.substr(0, first), value.x) ||
             !parse(all.substr(first + 1, second - first - 1), value.y) ||
-            !parse(all.substr(second + 1), value.z) || !std::isfinite(value.x) ||
-            !std::isfinite(value.y) || !std::isfinite(value.z))
+            !parse(all.substr(second + 1), value.z) || !fitsFloat(value))
             refuse(name, text, "three numbers X,Y,Z");
         set(value);
     });

@@ -21,9 +21,9 @@ CLI::Option* addInteger(CLI::App& command, const std::string& name, int64_t low,
 CLI::Option* addNumber(CLI::App& command, const std::string& name, float low, float high,
                        const std::string& help, std::function<void(float)> set);
 
-/// Three finite numbers X,Y,Z.
+/// Three numbers X,Y,Z that are finite in float32.
 CLI::Option* addVector(CLI::App& command, const std::string& name, const std::string& help,
-                       std::function<void(glm::vec3)> set);
+                       std::function<void(glm::dvec3)> set);
 
 /// One word of several; \p set gets its index.
 CLI::Option* addChoice(CLI::App& command, const std::string& name,

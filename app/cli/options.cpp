@@ -71,9 +71,9 @@ void addImageOptions(CLI::App& command, CommonOptions& o) {
               [&o](size_t i) { o.rayType = (RayType) i; });
     addInteger(command, "--seed", 0, 0xffffffffll, "of the random numbers (default: 0)",
                [&o](int64_t n) { o.seed = (uint32_t) n; });
-    addVector(command, "--eye", "where the camera stands", [&o](glm::vec3 v) { o.eye = v; });
-    addVector(command, "--target", "what it looks at", [&o](glm::vec3 v) { o.target = v; });
-    addVector(command, "--up", "which way is up", [&o](glm::vec3 v) { o.up = v; });
+    addVector(command, "--eye", "where the camera stands", [&o](glm::dvec3 v) { o.eye = v; });
+    addVector(command, "--target", "what it looks at", [&o](glm::dvec3 v) { o.target = v; });
+    addVector(command, "--up", "which way is up", [&o](glm::dvec3 v) { o.up = v; });
     addNumber(command, "--fov", 0.0f, 180.0f, "vertical field of view, degrees",
               [&o](float degrees) { o.verticalFov = degrees; });
     addInteger(command, "--frame", 0, kMaxFrame, "of an animated scene (default: 0)",
@@ -134,9 +134,10 @@ void checkCameraOptions(const CommonOptions& o) {
     if (o.up == glm::vec3(0.0f)) throw InputError("--up is zero");
 }
 
-Camera mergeCamera(Camera camera, const CommonOptions& o) {
-    camera.eye = o.eye.value_or(camera.eye);
-    camera.target = o.target.value_or(camera.target);
+Camera mergeCamera(const Scene& scene, const CommonOptions& o) {
+    Camera camera = scene.camera;
+    if (o.eye) camera.eye = scene.fromFiles(*o.eye);
+    if (o.target) camera.target = scene.fromFiles(*o.target);
     camera.up = o.up.value_or(camera.up);
     camera.verticalFov = o.verticalFov.value_or(camera.verticalFov);
 

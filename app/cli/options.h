@@ -2,7 +2,7 @@
 
 #include "core/frame/settings.h"
 #include "core/io/material_convention.h"
-#include "core/scene/camera.h"
+#include "core/scene/scene.h"
 
 #include <cstdint>
 #include <optional>
@@ -45,7 +45,8 @@ struct CommonOptions {
     std::optional<uint32_t> seed;
     std::optional<RayType> rayType;
 
-    std::optional<glm::vec3> eye, target, up;
+    std::optional<glm::dvec3> eye, target; ///< in the coordinates of the scene's files
+    std::optional<glm::vec3> up;
     std::optional<float> verticalFov; ///< degrees
 
     std::optional<int> frame; ///< of an animated scene
@@ -73,8 +74,8 @@ RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& optio
 /// Throws InputError where --eye and --target are the same point, or --up is zero.
 void checkCameraOptions(const CommonOptions& options);
 
-/// \p camera with --eye, --target, --up and --fov on top. Throws InputError where eye and target
-/// coincide or the view is along the up direction.
-Camera mergeCamera(Camera camera, const CommonOptions& options);
+/// The camera of \p scene with --eye, --target, --up and --fov on top. Throws InputError where eye
+/// and target coincide or the view is along the up direction.
+Camera mergeCamera(const Scene& scene, const CommonOptions& options);
 
 } // namespace dirt

@@ -124,7 +124,10 @@ private:
 
     /// \p place: of the frame among \p count. Returns the exit status.
     int renderFrame(int frame, int64_t place, int64_t count, ProgressBar& bar) {
-        if (frame != input_.frame) moveInput(input_, common_, frame, *executor_);
+        if (frame != input_.frame) {
+            moveInput(input_, common_, frame, *executor_);
+            checkPrecision(input_, common_, *executor_);
+        }
         RenderHooks hooks;
         hooks.stop = interrupted;
         hooks.progress = [&](int done, int total) {

@@ -14,6 +14,15 @@ std::string vectorOption(const char* name, glm::vec3 v) {
 
 } // namespace
 
+std::string pointOption(const Scene& scene, glm::vec3 point) {
+    // 17 digits give a double again, 9 a float.
+    const int digits = scene.origin == glm::dvec3(0.0) ? 9 : 17;
+    const glm::dvec3 p = scene.inFiles(point);
+    char text[128];
+    std::snprintf(text, sizeof text, "%.*g,%.*g,%.*g", digits, p.x, digits, p.y, digits, p.z);
+    return text;
+}
+
 std::string structureOptions(const Input& input) {
     const GridSettings& grid = input.settings.grid;
     const Camera& camera = input.scene.camera;
@@ -28,8 +37,8 @@ std::string structureOptions(const Input& input) {
     if (grid.maxMip >= 0) options += option("--max-mip", grid.maxMip);
     if (grid.traversal == Traversal::linear) options += " --traversal linear";
     if (grid.precision == Precision::fast) options += " --precision fast";
-    options += vectorOption("--eye", camera.eye) + vectorOption("--target", camera.target) +
-               vectorOption("--up", camera.up);
+    options += " --eye " + pointOption(input.scene, camera.eye) + " --target " +
+               pointOption(input.scene, camera.target) + vectorOption("--up", camera.up);
     char fov[32];
     std::snprintf(fov, sizeof fov, " --fov %.9g", camera.verticalFov);
     return options + fov;

@@ -10,4 +10,7 @@ namespace dirt {
 /// shapes it, said or not.
 std::string structureOptions(const Input& input);
 
+/// A point of \p scene as --eye and --target have it: X,Y,Z in the coordinates of its files.
+std::string pointOption(const Scene& scene, glm::vec3 point);
+
 } // namespace dirt

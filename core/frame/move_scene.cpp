@@ -70,7 +70,7 @@ void moveScene(Scene& scene, int frame, Executor& executor) {
     const double time = animation.timeOf(frame);
     scene.camera = animation.cameraAt(scene.camera, time);
     for (const MovingPart& part : animation.parts) {
-        Move move(part, scene.mesh, animation.toWorld(part.space, time));
+        Move move(part, scene.mesh, animation.toWorld(part, time));
         // What captures no more than a reference fits into a std::function without allocation.
         executor.forRange(part.positions.size(), kVerticesPerPiece,
                           [&move](size_t begin, size_t end) { move.positions(begin, end); });

@@ -1,5 +1,8 @@
 #include "core/frame/precision.h"
 
+#include "core/frame/transform_mesh.h"
+#include "core/scene/origin.h"
+
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
@@ -16,6 +19,8 @@ namespace {
 /// pixels across it, seen sixteen times enlarged.
 constexpr double kCoarse = 0x1p-16;
 
+constexpr size_t kTrianglesPerPiece = 8192;
+
 double spacingAt(double coordinate) {
     const float x = (float) std::min(coordinate, (double) FLT_MAX / 2);
     return (double) std::nextafter(x, FLT_MAX) - (double) x;
@@ -29,6 +34,32 @@ double largest(glm::dvec3 v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
+/// What some of the triangles say.
+struct Survey {
+    Bounds box;
+    double farthest = 0.0; ///< largest |coordinate| in the grid frame
+    uint64_t withoutArea = 0, flattened = 0;
+
+    void add(const Mesh& mesh, size_t triangle, const Triangle& t) {
+        glm::dvec3 p[3];
+        for (int k = 0; k < 3; ++k) {
+            p[k] = glm::dvec3(mesh.positions[mesh.triangles[triangle][k]]);
+            box.include(p[k]);
+        }
+        farthest = std::max({farthest, largest(t.a), largest(t.b), largest(t.c)});
+        if (hasArea(t.a, t.b, t.c)) return;
+        ++withoutArea;
+        if (hasArea(p[0], p[1], p[2])) ++flattened;
+    }
+    void add(const Survey& other) {
+        box.low = glm::min(box.low, other.box.low);
+        box.high = glm::max(box.high, other.box.high);
+        farthest = std::max(farthest, other.farthest);
+        withoutArea += other.withoutArea;
+        flattened += other.flattened;
+    }
+};
+
 std::string line(const char* format, double first, double second) {
     char text[200];
     std::snprintf(text, sizeof text, format, first, second);
@@ -37,43 +68,47 @@ std::string line(const char* format, double first, double second) {
 
 } // namespace
 
-PrecisionReach precisionReach(const Mesh& mesh, const FrameGeometry& geometry) {
+PrecisionReach precisionReach(const Mesh& mesh, const Camera& camera, ViewMode mode,
+                              Executor& executor) {
+    FrameGeometry geometry;
+    transformMesh(mesh, camera, mode, executor, geometry);
+    const size_t count = mesh.triangles.size();
+    std::vector<Survey> pieces((count + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
+    executor.forRange(count, kTrianglesPerPiece, [&](size_t begin, size_t end) {
+        Survey survey;
+        for (size_t i = begin; i < end; ++i) survey.add(mesh, i, geometry.triangles[i]);
+        pieces[begin / kTrianglesPerPiece] = survey;
+    });
+    Survey all;
+    for (const Survey& piece : pieces) all.add(piece);
     PrecisionReach reach;
-    glm::dvec3 low(DBL_MAX), high(-DBL_MAX);
-    double farthest = 0.0;
-    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Corners& corners = mesh.triangles[i];
-        glm::dvec3 p[3];
-        for (int k = 0; k < 3; ++k) {
-            p[k] = glm::dvec3(mesh.positions[corners[k]]);
-            low = glm::min(low, p[k]);
-            high = glm::max(high, p[k]);
-        }
-        const Triangle& t = geometry.triangles[i];
-        farthest = std::max({farthest, largest(t.a), largest(t.b), largest(t.c)});
-        if (hasArea(t.a, t.b, t.c)) continue;
-        ++reach.withoutArea;
-        if (hasArea(p[0], p[1], p[2])) ++reach.flattened;
-    }
-    if (mesh.triangles.empty()) return reach;
-    reach.diagonal = glm::length(high - low);
-    reach.worldSpacing = spacingAt(std::max(largest(low), largest(high)));
-    reach.frameSpacing = spacingAt(farthest) / geometry.frame.scale;
+    reach.triangles = count;
+    reach.withoutArea = all.withoutArea;
+    reach.flattened = all.flattened;
+    if (count == 0) return reach;
+    reach.diagonal = glm::length(all.box.high - all.box.low);
+    reach.worldSpacing = spacingAt(std::max(largest(all.box.low), largest(all.box.high)));
+    reach.frameSpacing = spacingAt(all.farthest) / geometry.frame.scale;
     return reach;
 }
 
-std::vector<std::string> precisionWarnings(const PrecisionReach& reach) {
-    std::vector<std::string> warnings;
+std::vector<PrecisionWarning> precisionWarnings(const PrecisionReach& reach) {
+    using Cause = PrecisionWarning::Cause;
+    std::vector<PrecisionWarning> warnings;
     if (reach.worldSpacing > kCoarse * reach.diagonal)
-        warnings.push_back(line("coordinates are so large that float32 resolves %g of them, in a "
-                                "scene of %g: move it to the origin",
-                                reach.worldSpacing, reach.diagonal));
+        warnings.push_back({Cause::largeCoordinates,
+                            line("coordinates are so large that float32 resolves %g of them, in a "
+                                 "scene of %g",
+                                 reach.worldSpacing, reach.diagonal)});
     else if (reach.frameSpacing > kCoarse * reach.diagonal)
-        warnings.push_back(line("the eye is so far away that float32 resolves %g of a scene of %g",
-                                reach.frameSpacing, reach.diagonal));
+        warnings.push_back({Cause::distantEye,
+                            line("the eye is so far away that float32 resolves %g of a scene of %g",
+                                 reach.frameSpacing, reach.diagonal)});
     if (reach.flattened > 0)
-        warnings.push_back(std::to_string(reach.flattened) +
-                           " triangles lose their area in the rounding of the grid frame");
+        warnings.push_back(
+            {Cause::flattened, std::to_string(reach.flattened) + " of " +
+                                   std::to_string(reach.triangles) +
+                                   " triangles lose their area where the eye is subtracted"});
     return warnings;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/frame/executor.h"
 #include "core/grid/geometry.h"
 
 #include <cstdint>
@@ -14,14 +15,24 @@ struct PrecisionReach {
     double diagonal = 0.0;     ///< of the triangles' box, world units
     double worldSpacing = 0.0; ///< of float32 at the largest world coordinate
     double frameSpacing = 0.0; ///< of float32 at the largest distance from the eye, world units
-    uint64_t withoutArea = 0;  ///< triangles that no ray hits, as far as double tells
-    uint64_t flattened = 0;    ///< of these, that had an area before they were moved to the eye
+    uint64_t triangles = 0;
+    uint64_t withoutArea = 0; ///< triangles that no ray hits, as far as double tells
+    uint64_t flattened = 0;   ///< of these, that had an area before they were moved to the eye
 };
 
-/// \p geometry must be \p mesh's.
-PrecisionReach precisionReach(const Mesh& mesh, const FrameGeometry& geometry);
+/// As \p camera sees \p mesh. Costs about as much as moving the mesh to the eye, and a triangle
+/// buffer meanwhile.
+PrecisionReach precisionReach(const Mesh& mesh, const Camera& camera, ViewMode mode,
+                              Executor& executor);
 
-/// A line for each cause for concern.
-std::vector<std::string> precisionWarnings(const PrecisionReach& reach);
+/// A cause for concern, and a line about it.
+struct PrecisionWarning {
+    enum class Cause { largeCoordinates, distantEye, flattened };
+
+    Cause cause;
+    std::string text;
+};
+
+std::vector<PrecisionWarning> precisionWarnings(const PrecisionReach& reach);
 
 } // namespace dirt

@@ -4,6 +4,7 @@
 #include "core/io/error.h"
 #include "core/io/find_file.h"
 #include "core/io/scene_builder.h"
+#include "core/io/scene_origin.h"
 
 #include <algorithm>
 #include <map>
@@ -24,11 +25,12 @@ fs::path findObject(const SceneFile& source, const SceneFile::Object& object) {
 }
 
 /// Takes note of all positions and normals of \p mesh from the given ones on as what moves with a
-/// space.
-void addMovingPart(const Mesh& mesh, uint32_t space, size_t firstPosition, size_t firstNormal,
-                   Animation& animation) {
+/// space, in which \p origin is taken off them.
+void addMovingPart(const Mesh& mesh, uint32_t space, const glm::dvec3& origin, size_t firstPosition,
+                   size_t firstNormal, Animation& animation) {
     MovingPart& part = animation.parts.emplace_back();
     part.space = space;
+    part.origin = origin;
     part.firstPosition = firstPosition;
     part.firstNormal = firstNormal;
     part.positions.assign(mesh.positions.begin() + (ptrdiff_t) firstPosition, mesh.positions.end());
@@ -53,6 +55,20 @@ void chooseMaterials(MaterialConvention convention, const std::vector<Model>& mo
     for (Placed& placed : list) placed.materials = {MaterialChoice::By::option, convention};
 }
 
+/// Triangles of a file, as often as they are placed.
+struct Rounded {
+    uint64_t lost = 0; ///< without area in float32
+    uint64_t triangles = 0;
+};
+
+void warnOfRounding(const fs::path& file, const Rounded& rounded, LoadReport& report) {
+    if (rounded.lost > 0)
+        report.warn(WarningKind::precision, file, 0,
+                    std::to_string(rounded.lost) + " of " + std::to_string(rounded.triangles) +
+                        " triangles are too small for float32 at their coordinates: they lose "
+                        "their area");
+}
+
 /// Reads each file once, on threads, and places what it holds as often as it is named. Returns how
 /// the MTL files were taken.
 std::vector<MaterialFile> placeModels(std::vector<Placed> list, bool cache,
@@ -74,13 +90,24 @@ std::vector<MaterialFile> placeModels(std::vector<Placed> list, bool cache,
         uses.push_back({&models[places[placed.file]], placed.materials});
     SceneBuilder builder(scene, report);
     builder.readTexturesAhead(uses, executor, options.progress);
+    OriginFinder origins(scene.animation);
+    for (size_t i = 0; i < list.size(); ++i)
+        origins.add(*uses[i].model, list[i].toSpace, list[i].space);
+    scene.origin = origins.ofWorld();
+    std::map<fs::path, Rounded> perFile;
     for (size_t i = 0; i < list.size(); ++i) {
         const Placed& placed = list[i];
         const size_t positions = scene.mesh.positions.size(), normals = scene.mesh.normals.size();
-        builder.add(uses[i], placed.toSpace, placed.doubleSided);
+        const glm::dvec3 origin = origins.ofSpace(i);
+        const size_t triangles = scene.mesh.triangles.size();
+        Rounded& rounded = perFile[placed.file];
+        rounded.lost +=
+            builder.add(uses[i], relativeTo(origin, placed.toSpace), placed.doubleSided);
+        rounded.triangles += scene.mesh.triangles.size() - triangles;
         if (placed.space != MovingSpace::kWorld)
-            addMovingPart(scene.mesh, placed.space, positions, normals, scene.animation);
+            addMovingPart(scene.mesh, placed.space, origin, positions, normals, scene.animation);
     }
+    for (const fs::path& file : files) warnOfRounding(file, perFile[file], report);
     return builder.materialFiles();
 }
 
@@ -115,6 +142,7 @@ void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport&
                         MaterialChoice::inSceneFile(source.materials, object.materials)});
     loaded.materialFiles =
         placeModels(std::move(list), options.cache && source.cache, options, report, scene);
+    moveToOrigin(source, scene);
 }
 
 /// Why there may be none.

@@ -1,5 +1,6 @@
 #include "core/io/place_gltf.h"
 
+#include "core/io/lost_area.h"
 #include "core/io/number.h"
 #include "core/scene/transform.h"
 
@@ -37,8 +38,12 @@ public:
             mesh_.normalIndices.push_back(allOrNone(normals));
             mesh_.texcoordIndices.push_back(allOrNone(texcoords));
             mesh_.materials.push_back(material);
+            countLost(triangle, positions);
         }
     }
+
+    /// Triangles that lost their area in the rounding so far.
+    uint64_t lost() const { return lost_; }
 
 private:
     /// Where a vertex is in the mesh.
@@ -52,10 +57,24 @@ private:
         return all ? c : Corners{kNoIndex, kNoIndex, kNoIndex};
     }
 
+    void countLost(const std::array<uint32_t, 3>& triangle, const Corners& corners) {
+        std::array<glm::dvec3, 3> exact;
+        std::array<glm::vec3, 3> rounded;
+        for (size_t i = 0; i < 3; ++i) {
+            exact[i] = inWorld(triangle[mirrors_ && i > 0 ? 3 - i : i]);
+            rounded[i] = mesh_.positions[corners[i]];
+        }
+        if (losesArea(exact, rounded)) ++lost_;
+    }
+
+    glm::dvec3 inWorld(uint32_t index) const {
+        return glm::dvec3(toWorld_ * glm::dvec4(source_.positions[index], 1.0));
+    }
+
     const Vertex& placed(uint32_t index) {
         Vertex& vertex = vertices_[index];
         if (vertex.position != kNoIndex) return vertex;
-        const glm::dvec3 p(toWorld_ * glm::dvec4(source_.positions[index], 1.0));
+        const glm::dvec3 p = inWorld(index);
         if (!fitsFloat(p))
             failAt(gltf_.file, 0, "a vertex does not fit in float32 after its transformation");
         vertex.position = (uint32_t) mesh_.positions.size();
@@ -87,17 +106,22 @@ private:
     bool mirrors_; ///< front and back change places, so corners do
     Mesh& mesh_;
     std::vector<Vertex> vertices_;
+    uint64_t lost_ = 0;
 };
 
 } // namespace
 
-void placeGltf(const GltfFile& gltf, const glm::dmat4& toWorld,
-               const std::vector<uint32_t>& materials, Mesh& mesh) {
+uint64_t placeGltf(const GltfFile& gltf, const glm::dmat4& toWorld,
+                   const std::vector<uint32_t>& materials, Mesh& mesh) {
+    uint64_t lost = 0;
     for (const GltfFile::Instance& instance : gltf.instances)
-        for (const GltfFile::Primitive& primitive : gltf.meshes[instance.mesh])
-            PrimitivePlacer(gltf, primitive, toWorld * instance.toFile, mesh)
-                .place(primitive.surface == GltfFile::kNone ? materials.back()
-                                                            : materials[primitive.surface]);
+        for (const GltfFile::Primitive& primitive : gltf.meshes[instance.mesh]) {
+            PrimitivePlacer placer(gltf, primitive, toWorld * instance.toFile, mesh);
+            placer.place(primitive.surface == GltfFile::kNone ? materials.back()
+                                                              : materials[primitive.surface]);
+            lost += placer.lost();
+        }
+    return lost;
 }
 
 } // namespace dirt

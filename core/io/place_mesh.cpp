@@ -1,6 +1,7 @@
 #include "core/io/place_mesh.h"
 
 #include "core/io/ear_clipping.h"
+#include "core/io/lost_area.h"
 #include "core/io/number.h"
 #include "core/scene/transform.h"
 
@@ -23,10 +24,11 @@ public:
           positions_(obj.positions.size(), kPending), normals_(obj.normals.size(), kPending),
           texcoords_(obj.texcoords.size(), kPending) {}
 
-    void place(const std::vector<uint32_t>& materials) {
+    uint64_t place(const std::vector<uint32_t>& materials) {
         for (const ObjFile::Face& face : obj_.faces)
             placeFace(face, face.material == ObjFile::kNone ? materials.back()
                                                             : materials[face.material]);
+        return lost_;
     }
 
 private:
@@ -46,7 +48,22 @@ private:
             mesh_.texcoordIndices.push_back(allOrNone(gather(ear, &ObjFile::Corner::texcoord)));
             mesh_.normalIndices.push_back(allOrNone(gather(ear, &ObjFile::Corner::normal)));
             mesh_.materials.push_back(material);
+            countLost(face, ear);
         }
+    }
+
+    void countLost(const ObjFile::Face& face, const EarClipper::Ear& ear) {
+        std::array<glm::dvec3, 3> exact;
+        std::array<glm::vec3, 3> rounded;
+        for (size_t k = 0; k < 3; ++k) {
+            exact[k] = inWorld(obj_.corners[face.firstCorner + ear[k]].position);
+            rounded[k] = polygon_[ear[k]];
+        }
+        if (losesArea(exact, rounded)) ++lost_;
+    }
+
+    glm::dvec3 inWorld(uint32_t index) const {
+        return glm::dvec3(toWorld_ * glm::dvec4(obj_.positions[index], 1.0));
     }
 
     Corners gather(const EarClipper::Ear& ear, uint32_t ObjFile::Corner::*attribute) const {
@@ -62,7 +79,7 @@ private:
     uint32_t position(uint32_t index, size_t line) {
         uint32_t& placed = positions_[index];
         if (placed != kPending) return placed;
-        const glm::dvec3 p(toWorld_ * glm::dvec4(obj_.positions[index], 1.0));
+        const glm::dvec3 p = inWorld(index);
         if (!fitsFloat(p))
             failAt(obj_.file, line,
                    "vertex " + std::to_string(index + 1ull) +
@@ -102,6 +119,7 @@ private:
     Mesh& mesh_;
     /// Where each of the file's attributes is in the mesh; kPending before its first use.
     std::vector<uint32_t> positions_, normals_, texcoords_;
+    uint64_t lost_ = 0; ///< triangles without area after the rounding
     EarClipper clip_;
     std::vector<glm::vec3> polygon_;       ///< corners of the face at hand
     std::vector<ObjFile::Corner> corners_; ///< and their places in the mesh
@@ -109,9 +127,9 @@ private:
 
 } // namespace
 
-void placeMesh(const ObjFile& obj, const glm::dmat4& toWorld,
-               const std::vector<uint32_t>& materials, Mesh& mesh) {
-    MeshPlacer(obj, toWorld, mesh).place(materials);
+uint64_t placeMesh(const ObjFile& obj, const glm::dmat4& toWorld,
+                   const std::vector<uint32_t>& materials, Mesh& mesh) {
+    return MeshPlacer(obj, toWorld, mesh).place(materials);
 }
 
 } // namespace dirt

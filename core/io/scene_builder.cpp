@@ -23,13 +23,12 @@ void SceneBuilder::readTexturesAhead(std::span<const Use> uses, Executor& execut
     textures_.readAhead(announcing.textures_, executor, progress);
 }
 
-void SceneBuilder::add(const Use& use, const glm::dmat4& toWorld, bool doubleSided) {
+uint64_t SceneBuilder::add(const Use& use, const glm::dmat4& toWorld, bool doubleSided) {
     report_.append(use.model->report);
     const std::vector<uint32_t> materials = resolveMaterials(use, doubleSided);
     if (const auto* obj = std::get_if<ObjFile>(&use.model->file))
-        placeMesh(*obj, toWorld, materials, scene_.mesh);
-    else if (const auto* gltf = std::get_if<GltfFile>(&use.model->file))
-        placeGltf(*gltf, toWorld, materials, scene_.mesh);
+        return placeMesh(*obj, toWorld, materials, scene_.mesh);
+    return placeGltf(std::get<GltfFile>(use.model->file), toWorld, materials, scene_.mesh);
 }
 
 std::vector<uint32_t> SceneBuilder::resolveMaterials(const Use& use, bool doubleSided) {

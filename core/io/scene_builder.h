@@ -41,8 +41,9 @@ public:
     /// float32 once. Throws InputError where an MTL file cannot be read or a transformed vertex
     /// does not fit in float32. A missing MTL file, an undefined material and a missing or damaged
     /// texture are warnings; Material's defaults stand in.
-    /// Its surfaces are all \p doubleSided, or those alone that a glTF file says are.
-    void add(const Use& use, const glm::dmat4& toWorld, bool doubleSided);
+    /// Its surfaces are all \p doubleSided, or those alone that a glTF file says are. Returns how
+    /// many triangles lose their area in the rounding.
+    uint64_t add(const Use& use, const glm::dmat4& toWorld, bool doubleSided);
 
     /// How the MTL files were taken, each way once.
     const std::vector<MaterialFile>& materialFiles() const { return libraries_.files(); }

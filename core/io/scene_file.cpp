@@ -199,6 +199,9 @@ private:
         if (!target) target = attributes.vector3("target");
         const auto up = attributes.vector3("up");
         scene_.hasCamera = eye.has_value() || target.has_value();
+        SceneFile::Points& points = scene_.points;
+        points.eye = eye.value_or(points.eye);
+        points.target = target;
         if (eye) scene_.camera.eye = *eye;
         scene_.camera.target =
             target ? glm::vec3(*target) : scene_.camera.eye + glm::vec3(0.0f, 0.0f, -1.0f);
@@ -206,8 +209,9 @@ private:
         if (const auto animation = keyFrames().animationIn(node)) {
             keyFrames().userMotion(animation, cameraMotion());
             scene_.hasCamera = true;
-        } else if (scene_.camera.target == scene_.camera.eye) {
-            xml_.fail(node, "position and lookat are the same point");
+        } else {
+            points.userLine = xml_.line(node);
+            if (target == points.eye) xml_.fail(node, "position and lookat are the same point");
         }
         if (scene_.camera.up == glm::vec3(0.0f)) xml_.fail(node, "up is zero");
         ignoreChildren(node);
@@ -232,10 +236,14 @@ private:
         light.conical = attributes.boolean("conical").value_or(light.conical);
         light.flux = attributes.number("flux", 0.0, FLT_MAX).value_or(light.flux);
         light.color = attributes.colour("color").value_or(light.color);
-        light.position = attributes.vector3("position").value_or(light.position);
-        light.target = attributes.vector3("target").value_or(light.target);
-        if (light.position == light.target)
+        SceneFile::Points& points = scene_.points;
+        points.lightLine = xml_.line(node);
+        points.lightPosition = attributes.vector3("position").value_or(light.position);
+        points.lightTarget = attributes.vector3("target").value_or(light.target);
+        if (points.lightPosition == points.lightTarget)
             xml_.fail(node, "position and target are the same point");
+        light.position = points.lightPosition;
+        light.target = points.lightTarget;
         const double widest = light.conical ? 360.0 : 179.0;
         light.aperture = attributes.number("aperture", 0.001, widest).value_or(light.aperture);
         light.penumbra =

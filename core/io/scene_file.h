@@ -38,12 +38,23 @@ struct SceneFile {
         std::optional<MaterialConvention> materials; ///< of its MTL files
     };
 
+    /// The points of `<user>` and `<light>` in double, and where they stand in the file. The camera
+    /// and the light have them rounded.
+    struct Points {
+        glm::dvec3 eye{0.0};
+        std::optional<glm::dvec3> target; ///< none: one unit along -z from the eye
+        size_t userLine = 0;              ///< 0: the two may coincide, as keys move them
+        glm::dvec3 lightPosition{0.0}, lightTarget{0.0};
+        size_t lightLine = 0;
+    };
+
     std::filesystem::path file;
     std::vector<std::string> directories; ///< where objects are looked for, as written
     std::vector<Object> objects;
     Camera camera;
     bool hasCamera = false; ///< whether the file says where the camera stands
     std::optional<Spotlight> light;
+    Points points;
     glm::vec3 background{0.0f};
     MicrofacetModel microfacetModel = MicrofacetModel::beckmann;
     std::optional<MaterialConvention> materials; ///< of objects that do not say

@@ -91,6 +91,12 @@ glm::dmat4 Animation::toWorld(uint32_t space, double time) const {
     return matrix;
 }
 
+glm::dmat4 Animation::toWorld(const MovingPart& part, double time) const {
+    glm::dmat4 matrix = toWorld(part.space, time);
+    if (part.origin != glm::dvec3(0.0)) matrix[3] = matrix * glm::dvec4(part.origin, 1.0);
+    return matrix;
+}
+
 Camera Animation::cameraAt(Camera result, double time) const {
     if (!camera) return result;
     if (!camera->eye.keys.empty()) result.eye = glm::vec3(linearAt(camera->eye, time));

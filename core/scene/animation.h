@@ -51,9 +51,10 @@ struct MovingSpace {
 
 /// A run of a Mesh's positions and normals that lies in a moving space.
 struct MovingPart {
-    uint32_t space = 0; ///< into Animation::spaces
+    uint32_t space = 0;     ///< into Animation::spaces
+    glm::dvec3 origin{0.0}; ///< in that space; see core/scene/origin.h
     size_t firstPosition = 0, firstNormal = 0;
-    std::vector<glm::vec3> positions; ///< in that space, rounded to float32 once
+    std::vector<glm::vec3> positions; ///< in that space less the origin, rounded to float32 once
     std::vector<glm::vec3> normals;   ///< in that space, unit length
 };
 
@@ -70,6 +71,8 @@ struct Animation {
     int lastFrame() const;
     /// The moving space's matrix at \p time, seconds.
     glm::dmat4 toWorld(uint32_t space, double time) const;
+    /// That of a part's positions, which its space's origin is taken off.
+    glm::dmat4 toWorld(const MovingPart& part, double time) const;
     /// \p camera with what moves as it is at \p time, seconds.
     Camera cameraAt(Camera camera, double time) const;
 };

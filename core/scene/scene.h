@@ -41,6 +41,10 @@ enum class MicrofacetModel : uint32_t { beckmann, ggx, cooktorrance, phong };
 /// What a renderer needs of one scene.
 struct Scene {
     std::string name; ///< file name without folder and extension
+    /// Where 0 is, in the coordinates of the files: it was taken off all points here, the camera's
+    /// and the light's too, before they were rounded to float32. Zero but for scenes that are far
+    /// from 0 (see core/scene/origin.h).
+    glm::dvec3 origin{0.0};
     Mesh mesh;
     std::vector<Material> materials; ///< never empty
     std::vector<Texture> textures;
@@ -51,6 +55,11 @@ struct Scene {
     glm::vec3 background{0.0f}; ///< radiance of rays that miss
     ToneMapping toneMapping;
     Animation animation; ///< moveScene brings mesh and camera to a frame
+
+    /// A point of the scene in the coordinates of its files.
+    glm::dvec3 inFiles(glm::vec3 point) const { return origin + glm::dvec3(point); }
+    /// A point of the files in the scene, rounded once.
+    glm::vec3 fromFiles(const glm::dvec3& point) const { return glm::vec3(point - origin); }
 };
 
 } // namespace dirt
