@@ -166,6 +166,8 @@ LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
     if (loaded.scene.mesh.triangles.empty())
         failAt(file, 0, "holds no triangles" + firstSkipped(report));
 
+    Mesh& mesh = loaded.scene.mesh;
+    if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), glm::vec3(1.0f));
     SerialExecutor serial;
     moveScene(loaded.scene, 0, serial);
     loaded.scene.name = printable(file.stem().string());

@@ -36,7 +36,7 @@ struct ObjFile {
 
     std::filesystem::path file;
     std::vector<glm::dvec3> positions; ///< those that a face uses fit in float32
-    std::vector<glm::vec3> colors;     ///< linear, one a position; empty where no vertex has one
+    std::vector<glm::vec3> colors;     ///< linear, one a position; empty where all are white
     std::vector<glm::dvec3> normals;   ///< may hold NaN and infinity, as the file does
     std::vector<glm::dvec2> texcoords; ///< may hold NaN and infinity, as the file does
     std::vector<Corner> corners;

@@ -86,6 +86,11 @@ private:
                        " does not fit in float32 after its transformation");
         placed = (uint32_t) mesh_.positions.size();
         mesh_.positions.emplace_back(p);
+        if (!obj_.colors.empty()) {
+            // What came from files without colours is white.
+            mesh_.colors.resize(placed, glm::vec3(1.0f));
+            mesh_.colors.push_back(obj_.colors[index]);
+        }
         return placed;
     }
 

@@ -35,6 +35,8 @@ std::vector<glm::vec3> VertexColours::decoded(size_t vertices) const {
         for (int k = 0; k < 3; ++k)
             linear[i][k] = (float) decodeSrgb(std::min(colours_[i][k] / white, 1.0));
     }
+    const auto isWhite = [](glm::vec3 colour) { return colour == glm::vec3(1.0f); };
+    if (std::all_of(linear.begin(), linear.end(), isWhite)) linear.clear();
     return linear;
 }
 

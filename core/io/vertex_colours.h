@@ -21,7 +21,7 @@ public:
     bool areOf255() const { return whole_ && largest_ > 1.0 && largest_ <= 255.0; }
 
     /// Linear, one for each of \p vertices: white where a vertex has no colour, and where its own
-    /// exceeds white in that component. Empty where no vertex has one.
+    /// exceeds white in that component. Empty where all are white.
     std::vector<glm::vec3> decoded(size_t vertices) const;
 
 private:

@@ -99,6 +99,25 @@ TEST_F(Load, FaultsInWhatAPictureCanDoWithoutAreWarnings) {
     EXPECT_TRUE(loadObj(square + "vn 1e-30 0 1e-30\nf 1//1 2//1 3//1\n").warnings.empty());
 }
 
+/// Each position has its colour; those of files without colours are white.
+TEST_F(Load, ReadsVertexColours) {
+    folder_.write("plain.obj", kTriangle);
+    folder_.write("colours.obj", "v 0 0 0 0 0 0\nv 5 5 5 1 1 1\nv 0 0 1 0 0 1\nv 0 1 0 1 1 0\n"
+                                 "f 1 3 4\n");
+    const Mesh mesh = loadXml("<object file='plain.obj'/><object file='colours.obj'/>"
+                              "<object file='plain.obj'/>")
+                          .scene.mesh;
+    const glm::vec3 white(1.0f);
+    EXPECT_EQ(mesh.colors,
+              (std::vector<glm::vec3>{
+                  white, white, white, glm::vec3(0), {0, 0, 1}, {1, 1, 0}, white, white, white}));
+    EXPECT_EQ(mesh.positions.size(), 9u);
+    EXPECT_TRUE(loadObj(kTriangle).scene.mesh.colors.empty());
+    EXPECT_TRUE(
+        loadObj("v 0 0 0 1 1 1\nv 1 0 0 1 1 1\nv 0 1 0\nf 1 2 3\n").scene.mesh.colors.empty())
+        << "white needs none";
+}
+
 TEST_F(Load, CountsIdsThroughFacesAndTheirTriangles) {
     const LoadedScene loaded = loadObj("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 .5 0\no first\nf 1 2 3 4\n"
                                        "o second\nf 3 2 1\nl 1 2\nf 1 1 1\n");

@@ -33,8 +33,8 @@ bool sameBits(const std::vector<Value>& a, const std::vector<Value>& b) {
 void expectSame(const LoadedScene& a, const LoadedScene& b) {
     const Mesh &m = a.scene.mesh, &n = b.scene.mesh;
     EXPECT_TRUE(sameBits(m.positions, n.positions) && sameBits(m.normals, n.normals) &&
-                sameBits(m.texcoords, n.texcoords) && sameBits(m.triangles, n.triangles) &&
-                sameBits(m.normalIndices, n.normalIndices) &&
+                sameBits(m.texcoords, n.texcoords) && sameBits(m.colors, n.colors) &&
+                sameBits(m.triangles, n.triangles) && sameBits(m.normalIndices, n.normalIndices) &&
                 sameBits(m.texcoordIndices, n.texcoordIndices) &&
                 sameBits(m.materials, n.materials));
     ASSERT_EQ(a.scene.materials.size(), b.scene.materials.size());
