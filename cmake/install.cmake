@@ -13,6 +13,12 @@ if(TARGET dirt_backend_gl)
     list(APPEND libraries backend_gl)
     set(gl_dependency "pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)") # for dirtConfig
 endif()
+if(DIRT_DRACO AND TARGET draco::draco_static)
+    set(draco_dependency "find_dependency(draco)") # for dirtConfig, like the next
+endif()
+if(DIRT_MESHOPT AND TARGET meshoptimizer::meshoptimizer)
+    set(meshopt_dependency "find_dependency(meshoptimizer)")
+endif()
 foreach(folder ${folders})
     get_filename_component(parent ${folder} DIRECTORY)
     install(DIRECTORY ${folder} DESTINATION ${headers}/${parent} COMPONENT development

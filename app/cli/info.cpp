@@ -77,6 +77,16 @@ Json materialFilesJson(const std::vector<MaterialFile>& files) {
     return rows;
 }
 
+/// Of the model files.
+Json camerasJson(const Input& input) {
+    Json list = Json::array();
+    for (size_t i = 0; i < input.cameras.size(); ++i)
+        list.push_back({{"name", input.cameras[i].name},
+                        {"perspective", !input.cameras[i].halfHeight},
+                        {"used", input.modelCamera == i}});
+    return list;
+}
+
 Json animationJson(const Animation& animation) {
     size_t vertices = 0;
     for (const MovingPart& part : animation.parts) vertices += part.positions.size();
@@ -165,6 +175,7 @@ Json describe(const Input& input, const Backend& backend, const Executor& execut
                       {"target", vectorJson(scene.inFiles(scene.camera.target))},
                       {"up", vectorJson(scene.camera.up)},
                       {"fov", scene.camera.verticalFov}};
+    json["cameras"] = camerasJson(input);
     json["animation"] = animationJson(scene.animation);
     const bool rasterizes = backend.rasterizes();
     const Requirements need = requirementsOf(scene, input.settings, rasterizes);
@@ -222,6 +233,18 @@ std::string animationText(const Json& animation) {
            " a second";
 }
 
+std::string camerasText(const Json& cameras) {
+    std::string text;
+    for (size_t i = 0; i < cameras.size(); ++i) {
+        const Json& camera = cameras[i];
+        text += (i == 0 ? "" : ", ") + std::to_string(i);
+        if (camera["name"] != "") text += " " + inQuotes(camera["name"].get<std::string>());
+        if (!camera["perspective"]) text += " (orthographic)";
+        if (camera["used"]) text += " (used)";
+    }
+    return text.empty() ? "none" : text;
+}
+
 void printScene(const Json& info) {
     std::printf("%s\n", info["scene"].get<std::string>().c_str());
     printRow("triangles", countText(info["triangles"]));
@@ -245,6 +268,7 @@ void printScene(const Json& info) {
     printRow("box", points(info["bounds"]["min"], " .. ", info["bounds"]["max"]));
     printRow("origin", pointText(origin, origin));
     printRow("camera", points(info["camera"]["eye"], " to ", info["camera"]["target"]));
+    printRow("of the files", camerasText(info["cameras"]));
     printRow("animation", animationText(info["animation"]));
     printRow("without area", countText(info["precision"]["triangles_without_area"]) +
                                  " triangles, which no ray hits");

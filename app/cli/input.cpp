@@ -1,5 +1,6 @@
 #include "app/cli/input.h"
 
+#include "app/cli/model_camera.h"
 #include "app/cli/progress_bar.h"
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
@@ -73,11 +74,20 @@ LoadedScene load(const CommonOptions& options, Executor& executor) {
     return loadScene(options.scene, load);
 }
 
-Standpoint standpointOf(const Scene& scene, const CommonOptions& options, const GridSettings& grid,
-                        Executor& executor) {
+/// A place and a light that show the scene; the light beside the camera that there is.
+Standpoint standpointOf(const LoadedScene& loaded, const CommonOptions& options,
+                        const GridSettings& grid, Executor& executor) {
+    const Scene& scene = loaded.scene;
     CameraHints hints;
     if (options.eye) hints.eye = scene.fromFiles(*options.eye);
     if (options.target) hints.target = scene.fromFiles(*options.target);
+    if (loaded.hasCamera) {
+        const Camera camera = mergeCamera(scene, options);
+        hints.eye = camera.eye;
+        hints.target = camera.target;
+        hints.up = camera.up;
+        hints.verticalFov = camera.verticalFov;
+    }
     hints.up = options.up.value_or(hints.up);
     hints.verticalFov = options.verticalFov.value_or(hints.verticalFov);
     hints.aspect = (float) grid.width / (float) grid.height;
@@ -133,21 +143,22 @@ Input openInput(const CommonOptions& options, Executor& executor) {
 
     Input input;
     input.settings = mergeSettings(settingsOf(loaded.settings), options);
-    if (!loaded.hasCamera) {
-        const Standpoint standpoint =
-            standpointOf(loaded.scene, options, input.settings.grid, executor);
-        loaded.scene.camera = standpoint.camera;
-        if (isModel(options.scene)) {
-            loaded.scene.lights = {standpoint.light};
-            loaded.scene.background = glm::vec3(kModelBackground);
-        }
+    chooseCamera(loaded, options);
+    const bool isBare = isModel(options.scene), needsLight = isBare && !loaded.hasLight;
+    if (!loaded.hasCamera || needsLight) {
+        const Standpoint standpoint = standpointOf(loaded, options, input.settings.grid, executor);
+        if (!loaded.hasCamera) loaded.scene.camera = standpoint.camera;
+        if (needsLight) loaded.scene.lights = {standpoint.light};
     }
+    if (isBare) loaded.scene.background = glm::vec3(kModelBackground);
     if (input.settings.visibility == LightVisibility::shadowMap)
         for (const Spotlight& light : loaded.scene.lights) checkShadowMap(light);
     input.scene = std::move(loaded.scene);
     input.warnings = std::move(loaded.warnings);
     input.ignored = std::move(loaded.ignored);
     input.materialFiles = std::move(loaded.materialFiles);
+    input.cameras = std::move(loaded.cameras);
+    input.modelCamera = loaded.modelCamera;
     moveInput(input, options, options.frame.value_or(0), executor);
     checkPrecision(input, options, executor);
     chooseStructure(input, options, loaded.settings, executor);

@@ -6,9 +6,11 @@
 #include "core/frame/precision.h"
 #include "core/io/load_report.h"
 #include "core/io/material_convention.h"
+#include "core/io/model_views.h"
 #include "core/scene/scene.h"
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +26,8 @@ struct Input {
     int frame = 0;                                   ///< that the scene is at
     PrecisionReach precision;                        ///< of that frame
     std::set<PrecisionWarning::Cause> precisionSaid; ///< what warnings has of it
+    std::vector<ModelCamera> cameras;                ///< that the files have
+    std::optional<size_t> modelCamera;               ///< which of them the scene is seen by
     std::vector<Warning> warnings;
     std::vector<std::string> ignored; ///< names in the files that have no effect
 
@@ -43,8 +47,9 @@ std::unique_ptr<Backend> makeBackend(BackendKind kind, const CommonOptions& opti
 
 /// Loads SCENE of \p options and brings it to their frame. Tile and bins that neither options nor
 /// the scene's file give are the cost model's on the CPU. A scene without a camera gets one that
-/// shows its frame 0; a bare model also a light and a background. Prints the warnings on standard
-/// error unless --quiet; those of precision are of the frame. Throws InputError.
+/// shows its frame 0; a bare model also a background, and a light where it has none. Prints the
+/// warnings on standard error unless --quiet; those of precision are of the frame. Throws
+/// InputError.
 Input openInput(const CommonOptions& options, Executor& executor);
 
 /// Brings the scene of openInput to another frame. Throws InputError where that frame has no image:

@@ -71,6 +71,9 @@ void addImageOptions(CLI::App& command, CommonOptions& o) {
               [&o](size_t i) { o.rayType = (RayType) i; });
     addInteger(command, "--seed", 0, 0xffffffffll, "of the random numbers (default: 0)",
                [&o](int64_t n) { o.seed = (uint32_t) n; });
+    command.add_option(
+        "--camera", o.camera,
+        "of a glTF file: which one, counted from 0, or its name (default: the first)");
     addVector(command, "--eye", "where the camera stands", [&o](glm::dvec3 v) { o.eye = v; });
     addVector(command, "--target", "what it looks at", [&o](glm::dvec3 v) { o.target = v; });
     addVector(command, "--up", "which way is up", [&o](glm::dvec3 v) { o.up = v; });
@@ -131,6 +134,8 @@ RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& o) {
 
 void checkCameraOptions(const CommonOptions& o) {
     if (o.eye && o.eye == o.target) throw InputError("--eye and --target are the same point");
+    if (o.camera && (o.eye || o.target))
+        throw InputError("--camera says where to stand, and so do --eye and --target");
     if (o.up == glm::vec3(0.0f)) throw InputError("--up is zero");
 }
 

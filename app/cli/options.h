@@ -45,6 +45,7 @@ struct CommonOptions {
     std::optional<uint32_t> seed;
     std::optional<RayType> rayType;
 
+    std::optional<std::string> camera;     ///< of a model file: a number or a name
     std::optional<glm::dvec3> eye, target; ///< in the coordinates of the scene's files
     std::optional<glm::vec3> up;
     std::optional<float> verticalFov; ///< degrees

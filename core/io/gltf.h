@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/io/gltf_camera.h"
 #include "core/io/gltf_data.h"
+#include "core/io/gltf_light.h"
 #include "core/io/load_report.h"
 #include "core/io/texture_loader.h"
 #include "core/scene/material.h"
@@ -20,7 +22,7 @@
 namespace dirt {
 
 /// What of a glTF 2.0 file matters to a renderer of still surfaces: its triangles, where its nodes
-/// place them, and its materials.
+/// place them, its materials, cameras, and a light.
 struct GltfFile {
     static constexpr uint32_t kNone = 0xffffffffu;
 
@@ -61,19 +63,21 @@ struct GltfFile {
     std::vector<Surface> surfaces;
     std::vector<std::vector<Primitive>> meshes;
     std::vector<Instance> instances; ///< in the order of the nodes, depth first
+    std::vector<GltfCamera> cameras; ///< that nodes place, in the order of the file's `cameras`
+    std::optional<GltfSpotlight> spotlight; ///< the first in the order of the nodes
 };
 
 /// Sets a material's metallic, roughness and reflectance from glTF's two numbers: a distribution as
 /// wide as the roughness squared, and a Fresnel term that begins at 0.04 for what is no metal.
 void setMetallicRoughness(Material& material, float metallic, float roughness);
 
-/// Reads a glTF 2.0 file, .gltf or .glb, with the buffers it names: the nodes of its scene (or all
-/// that are no one's children), triangles, strips and fans, sparse accessors too. Points, lines,
-/// skins, morph targets and animations are skipped; what else has no effect is reported as ignored.
-/// Throws InputError, "file: meshes[3].primitives[0] …", where the file is malformed, a value is of
-/// the wrong kind or out of range, an accessor reaches beyond its data, a position that a triangle
-/// uses is not finite, a node is its own ancestor or has two parents, or there are absurdly many
-/// triangles. Normals and texture coordinates that are none are warnings, one of each kind.
+/// Reads a glTF 2.0 file, .gltf or .glb, with the buffers it names: what the nodes of its scene
+/// place. Members and extensions that are used and have no effect are reported as ignored, each
+/// with how often it is there; normals and texture coordinates that are none are warnings, one of
+/// each kind. Throws InputError, "file: meshes[3].primitives[0] …", where the file is malformed, a
+/// value is of the wrong kind or out of range, an accessor reaches beyond its data, a position that
+/// a triangle uses is not finite, geometry lies in an extension that is not known, a node is its
+/// own ancestor or has two parents, or there are absurdly many triangles.
 ///
 /// tinygltf is not used here: it takes values of the wrong kind for absent ones, checks no ranges,
 /// reads up to eight bytes beyond a .glb whose chunk is too long, and decodes images by itself.

@@ -13,15 +13,6 @@ namespace {
 
 constexpr uint64_t kHighest = 0xfffffffe;
 
-/// Reports every member of \p value that is not in \p known as without effect.
-void ignoreOthers(const JsonValue& value, const char* what,
-                  std::initializer_list<std::string_view> known, LoadReport& report) {
-    for (const std::string& name : value.names())
-        if (name != "name" && name != "extras" &&
-            std::find(known.begin(), known.end(), name) == known.end())
-            report.ignore("glTF " + std::string(what) + " " + name);
-}
-
 glm::vec3 colour(const JsonValue& owner, const char* name, size_t components, glm::vec3 otherwise) {
     const auto values = owner.numbers(name, components);
     if (!values) return otherwise;
@@ -32,15 +23,11 @@ glm::vec3 colour(const JsonValue& owner, const char* name, size_t components, gl
 
 class SurfaceReader {
 public:
-    SurfaceReader(const GltfData& data, size_t images, LoadReport& report)
-        : images_(images), report_(report), textures_(data.root().objects("textures")),
+    SurfaceReader(const GltfData& data, size_t images, GltfIgnored& ignored)
+        : images_(images), ignored_(ignored), textures_(data.root().objects("textures")),
           samplers_(data.root().objects("samplers")) {}
 
     GltfFile::Surface read(const JsonValue& source) {
-        ignoreOthers(source, "material",
-                     {"pbrMetallicRoughness", "emissiveFactor", "emissiveTexture", "alphaMode",
-                      "alphaCutoff", "extensions", "doubleSided"},
-                     report_);
         GltfFile::Surface surface;
         Material& material = surface.material;
         material.name = printable(source.text("name").value_or(""));
@@ -59,10 +46,6 @@ public:
 private:
     /// Returns the base colour's alpha.
     float metallicRoughness(const JsonValue& pbr, GltfFile::Surface& surface) {
-        ignoreOthers(pbr, "material",
-                     {"baseColorFactor", "baseColorTexture", "metallicFactor", "roughnessFactor",
-                      "metallicRoughnessTexture"},
-                     report_);
         surface.material.diffuse = colour(pbr, "baseColorFactor", 4, glm::vec3(1.0f));
         surface.metallic = (float) pbr.number("metallicFactor", 0.0, 1.0).value_or(1.0);
         surface.roughness = (float) pbr.number("roughnessFactor", 0.0, 1.0).value_or(1.0);
@@ -72,7 +55,7 @@ private:
         }
         if (const auto texture = pbr.object("metallicRoughnessTexture")) {
             surface.roughnessImage = imageOf(*texture);
-            report_.ignore("glTF material metallicRoughnessTexture but for its means");
+            ignored_.add("material metallicRoughnessTexture but for its means");
         }
         const auto factor = pbr.numbers("baseColorFactor", 4);
         return factor ? (float) (*factor)[3] : 1.0f;
@@ -82,7 +65,7 @@ private:
     void alphaMode(const JsonValue& source, float alpha, GltfFile::Surface& surface) {
         const std::string mode = source.text("alphaMode").value_or("OPAQUE");
         const auto cutoff = (float) source.number("alphaCutoff", 0.0, 1e30).value_or(0.5);
-        if (mode != "OPAQUE" && mode != "MASK") report_.ignore("glTF material alphaMode " + mode);
+        if (mode != "OPAQUE" && mode != "MASK") ignored_.add("material alphaMode " + mode);
         if (mode != "MASK" || cutoff == 0.0f) return;
         surface.material.opacity = 0.5f * alpha / cutoff;
         if (alpha > 0.0f) surface.alphaLimit = cutoff / alpha;
@@ -92,7 +75,6 @@ private:
         glm::vec3& emission = surface.material.emission;
         emission = colour(source, "emissiveFactor", 3, glm::vec3(0.0f));
         if (const auto extensions = source.object("extensions")) {
-            ignoreOthers(*extensions, "extension", {"KHR_materials_emissive_strength"}, report_);
             if (const auto strength = extensions->object("KHR_materials_emissive_strength"))
                 emission *= (float) strength->number("emissiveStrength", 0.0, 1e30).value_or(1.0);
         }
@@ -104,21 +86,19 @@ private:
         if (surface.colourImage == GltfFile::kNone)
             surface.texcoordSet = set;
         else if (set != surface.texcoordSet)
-            report_.ignore("glTF emissiveTexture texCoord");
+            ignored_.add("emissiveTexture texCoord");
     }
 
     /// The image of a reference to a texture; kNone where it has none that can be read.
     uint32_t imageOf(const JsonValue& reference) {
-        ignoreOthers(reference, "texture", {"index", "texCoord"}, report_);
         const uint64_t index = reference.requiredInteger("index", kHighest);
         const JsonValue& texture = JsonValue::at(textures_, index, reference, "textures");
-        ignoreOthers(texture, "texture", {"source", "sampler"}, report_);
         if (const auto sampler = texture.integer("sampler", kHighest))
             for (const char* name : {"wrapS", "wrapT"})
                 if (JsonValue::at(samplers_, *sampler, texture, "samplers")
                         .integer(name, kHighest)
                         .value_or(kRepeat) != kRepeat)
-                    report_.ignore("glTF sampler " + std::string(name));
+                    ignored_.add("sampler " + std::string(name));
         const auto source = texture.integer("source", kHighest);
         if (!source) return GltfFile::kNone; // in an extension alone
         if (*source >= images_) texture.fail("refers to an image that is not there");
@@ -128,16 +108,15 @@ private:
     static constexpr uint64_t kRepeat = 10497;
 
     size_t images_;
-    LoadReport& report_;
+    GltfIgnored& ignored_;
     std::vector<JsonValue> textures_, samplers_;
 };
 
 } // namespace
 
-std::vector<GltfFile::Image> gltfImages(const GltfData& data, LoadReport& report) {
+std::vector<GltfFile::Image> gltfImages(const GltfData& data) {
     std::vector<GltfFile::Image> images;
     for (const JsonValue& source : data.root().objects("images")) {
-        ignoreOthers(source, "image", {"uri", "bufferView", "mimeType"}, report);
         GltfFile::Image& image = images.emplace_back();
         image.label = "images[" + std::to_string(images.size() - 1) + "]";
         const auto uri = source.text("uri");
@@ -156,9 +135,9 @@ std::vector<GltfFile::Image> gltfImages(const GltfData& data, LoadReport& report
 }
 
 std::vector<GltfFile::Surface> gltfSurfaces(const GltfData& data, size_t images,
-                                            LoadReport& report) {
+                                            GltfIgnored& ignored) {
     std::vector<GltfFile::Surface> surfaces;
-    SurfaceReader reader(data, images, report);
+    SurfaceReader reader(data, images, ignored);
     for (const JsonValue& source : data.root().objects("materials"))
         surfaces.push_back(reader.read(source));
     return surfaces;

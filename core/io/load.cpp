@@ -69,11 +69,10 @@ void warnOfRounding(const fs::path& file, const Rounded& rounded, LoadReport& re
                         "their area");
 }
 
-/// Reads each file once, on threads, and places what it holds as often as it is named. Returns how
-/// the MTL files were taken.
-std::vector<MaterialFile> placeModels(std::vector<Placed> list, bool cache,
-                                      const LoadOptions& options, LoadReport& report,
-                                      Scene& scene) {
+/// Reads each file once, on threads, and places what it holds as often as it is named.
+void placeModels(std::vector<Placed> list, bool cache, const LoadOptions& options,
+                 LoadReport& report, LoadedScene& loaded) {
+    Scene& scene = loaded.scene;
     std::vector<fs::path> files;
     std::map<fs::path, size_t> places;
     for (const Placed& placed : list)
@@ -106,20 +105,32 @@ std::vector<MaterialFile> placeModels(std::vector<Placed> list, bool cache,
         rounded.triangles += scene.mesh.triangles.size() - triangles;
         if (placed.space != MovingSpace::kWorld)
             addMovingPart(scene.mesh, placed.space, origin, positions, normals, scene.animation);
+        else
+            placeModelViews(*uses[i].model, relativeTo(origin, placed.toSpace), report,
+                            loaded.cameras, scene.lights);
     }
     for (const fs::path& file : files) warnOfRounding(file, perFile[file], report);
-    return builder.materialFiles();
+    loaded.materialFiles = builder.materialFiles();
 }
 
 /// A model by itself. Other programs' materials are meant for GGX; glTF says so.
 void loadModel(const fs::path& file, const LoadOptions& options, LoadReport& report,
                LoadedScene& loaded) {
-    loaded.materialFiles =
-        placeModels({Placed{file}}, options.cache, options, report, loaded.scene);
+    placeModels({Placed{file}}, options.cache, options, report, loaded);
     const bool isDemo = std::any_of(
         loaded.materialFiles.begin(), loaded.materialFiles.end(),
         [](const MaterialFile& taken) { return taken.convention == MaterialConvention::demo; });
     if (!isDemo) loaded.scene.microfacetModel = MicrofacetModel::ggx;
+}
+
+/// Looks through the first camera of the model files, where no scene file says better.
+void chooseModelCamera(LoadedScene& loaded) {
+    for (ModelCamera& camera : loaded.cameras)
+        if (camera.halfHeight) camera.camera = fromAfar(camera, loaded.scene.mesh);
+    if (loaded.hasCamera || loaded.cameras.empty()) return;
+    loaded.scene.camera = loaded.cameras.front().camera;
+    loaded.modelCamera = 0;
+    loaded.hasCamera = true;
 }
 
 void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport& report,
@@ -133,15 +144,13 @@ void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport&
     if (source.light) scene.lights.push_back(*source.light);
     loaded.settings = source.settings;
     loaded.hasCamera = source.hasCamera;
-    loaded.hasLight = source.light.has_value();
     scene.animation = source.animation;
     std::vector<Placed> list;
     for (const SceneFile::Object& object : source.objects)
         list.push_back({findObject(source, object), object.toSpace, object.space,
                         object.doubleSided,
                         MaterialChoice::inSceneFile(source.materials, object.materials)});
-    loaded.materialFiles =
-        placeModels(std::move(list), options.cache && source.cache, options, report, scene);
+    placeModels(std::move(list), options.cache && source.cache, options, report, loaded);
     moveToOrigin(source, scene);
 }
 
@@ -165,6 +174,8 @@ LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
         failAt(file, 0, "is no .scene, .obj, .gltf or .glb file");
     if (loaded.scene.mesh.triangles.empty())
         failAt(file, 0, "holds no triangles" + firstSkipped(report));
+    chooseModelCamera(loaded);
+    loaded.hasLight = !loaded.scene.lights.empty();
 
     Mesh& mesh = loaded.scene.mesh;
     if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), glm::vec3(1.0f));

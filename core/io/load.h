@@ -2,6 +2,7 @@
 
 #include "core/io/load_report.h"
 #include "core/io/material_convention.h"
+#include "core/io/model_views.h"
 #include "core/io/read_all.h"
 #include "core/io/scene_file.h"
 #include "core/scene/scene.h"
@@ -26,9 +27,12 @@ struct LoadOptions {
 struct LoadedScene {
     Scene scene;
     SceneSettings settings;
-    bool hasCamera =
-        false; ///< whether scene.camera stands where the file says; never for a bare model
-    bool hasLight = false; ///< whether scene.lights comes from the file; never for a bare model
+    bool hasCamera = false; ///< whether scene.camera stands where a file says
+    bool hasLight = false;  ///< whether scene.lights comes from a file
+    /// Of model files, in the order of objects, but where they move.
+    std::vector<ModelCamera> cameras;
+    /// Which of them scene.camera is: the first, where no scene file has one.
+    std::optional<size_t> modelCamera;
     std::vector<Warning> warnings;
     std::vector<std::string> ignored;        ///< names of the files that have no effect, each once
     std::vector<MaterialFile> materialFiles; ///< how the MTL files were taken

@@ -50,7 +50,7 @@ TEST_F(Gltf, RefusesWrongKinds) {
     };
     EXPECT_EQ(
         errorOf([&](auto& w) {
-            attribute("POSITION", w.template accessor<int16_t>("VEC3", 5122, 3, {0, 0, 0}))(w);
+            attribute("POSITION", w.template accessor<uint32_t>("VEC3", 5125, 3, {0, 0, 0}))(w);
         }),
         ": accessors[1] has a componentType that is not allowed here");
     EXPECT_EQ(errorOf([&](auto& w) {

@@ -70,12 +70,15 @@ public:
         return index;
     }
 
-    /// The file's text, with the buffer inside.
+    /// The file's text, with the buffer inside; then what `json` has under "more buffers".
     std::string embedded() const {
         Json copy = json;
         copy["buffers"] =
             Json::array({{{"byteLength", bytes.size()},
                           {"uri", "data:application/octet-stream;base64," + base64(bytes)}}});
+        if (copy.contains("more buffers"))
+            for (const Json& buffer : copy["more buffers"]) copy["buffers"].push_back(buffer);
+        copy.erase("more buffers");
         return copy.dump(1);
     }
     /// The file's text, with the buffer in another file.

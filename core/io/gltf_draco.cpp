@@ -1,0 +1,104 @@
+#include "core/io/gltf_draco.h"
+
+#ifdef DIRT_HAVE_DRACO
+
+#include "core/io/load_report.h"
+
+#include <new>
+#include <stdexcept>
+
+#include <draco/compression/decode.h>
+
+namespace dirt {
+
+namespace {
+
+constexpr uint64_t kHighest = 0xfffffffe;
+
+std::unique_ptr<draco::Mesh> decode(std::span<const std::byte> bytes, const JsonValue& from) {
+    draco::DecoderBuffer buffer;
+    buffer.Init((const char*) bytes.data(), bytes.size());
+    try {
+        draco::Decoder decoder;
+        auto mesh = decoder.DecodeMeshFromBuffer(&buffer);
+        if (mesh.ok()) return std::move(mesh).value();
+    } catch (const std::bad_alloc&) { // a damaged count
+    } catch (const std::length_error&) {
+    }
+    from.fail("holds no Draco mesh that can be read");
+}
+
+/// \p source's values for each of the mesh's points; integers as glTF's accessor has them.
+std::vector<float> valuesOf(const draco::PointAttribute& source, size_t points, bool normalized,
+                            const JsonValue& from) {
+    draco::PointAttribute attribute;
+    attribute.CopyFrom(source);
+    attribute.set_normalized(normalized);
+    const auto components = (size_t) attribute.num_components();
+    std::vector<float> values(points * components);
+    for (size_t i = 0; i < points; ++i)
+        if (!attribute.ConvertValue<float>(attribute.mapped_index(draco::PointIndex((uint32_t) i)),
+                                           (int8_t) components, values.data() + i * components))
+            from.fail("holds an attribute that is no vector of numbers");
+    return values;
+}
+
+} // namespace
+
+std::optional<DracoMesh> readDraco(const GltfData& data, const JsonValue& primitive) {
+    const auto extensions = primitive.object("extensions");
+    const auto source =
+        extensions ? extensions->object("KHR_draco_mesh_compression") : std::nullopt;
+    if (!source) return std::nullopt;
+    const auto mesh =
+        decode(data.view(source->requiredInteger("bufferView", kHighest), *source), *source);
+    DracoMesh result;
+    for (uint32_t i = 0; i < mesh->num_faces(); ++i)
+        for (const auto& corner : mesh->face(draco::FaceIndex(i)))
+            result.corners.push_back(corner.value());
+    const JsonValue ids = source->required("attributes");
+    const JsonValue accessors = primitive.required("attributes");
+    for (const std::string& name : ids.names()) {
+        const auto id = (uint32_t) ids.requiredInteger(name.c_str(), kHighest);
+        const draco::PointAttribute* attribute = mesh->GetAttributeByUniqueId(id);
+        if (attribute == nullptr || attribute->num_components() > 4)
+            ids.fail("name " + inQuotes(name) + ", which is no vector there");
+        const auto accessor = accessors.integer(name.c_str(), kHighest);
+        if (!accessor) continue;
+        result.attributes[name] = {
+            (size_t) attribute->num_components(),
+            valuesOf(*attribute, mesh->num_points(), data.isNormalized(*accessor, accessors), ids)};
+    }
+    return result;
+}
+
+} // namespace dirt
+
+#else
+
+namespace dirt {
+
+std::optional<DracoMesh> readDraco(const GltfData&, const JsonValue&) {
+    return std::nullopt;
+}
+
+} // namespace dirt
+
+#endif
+
+namespace dirt {
+
+std::optional<std::vector<float>> DracoMesh::values(const std::string& name,
+                                                    size_t components) const {
+    const auto found = attributes.find(name);
+    if (found == attributes.end() || found->second.first < components) return std::nullopt;
+    const auto& [given, all] = found->second;
+    std::vector<float> values;
+    values.reserve(all.size() / given * components);
+    for (size_t i = 0; i < all.size(); i += given)
+        values.insert(values.end(), all.begin() + (ptrdiff_t) i,
+                      all.begin() + (ptrdiff_t) (i + components));
+    return values;
+}
+
+} // namespace dirt
