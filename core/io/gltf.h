@@ -3,6 +3,7 @@
 #include "core/io/gltf_camera.h"
 #include "core/io/gltf_data.h"
 #include "core/io/gltf_light.h"
+#include "core/io/gltf_texture.h"
 #include "core/io/load_report.h"
 #include "core/io/texture_loader.h"
 #include "core/scene/material.h"
@@ -34,14 +35,19 @@ struct GltfFile {
         /// As what \p gltf names.
         TextureLoader::Source source(const std::filesystem::path& gltf) const;
     };
-    /// A material; its textures are places in images.
+    /// A material, whose textures are not loaded yet.
     struct Surface {
-        Material material;               ///< without textures; diffuse is to multiply colourImage
-        float metallic, roughness;       ///< that are to multiply roughnessImage
-        float alphaLimit = 0.0f;         ///< alpha of the image below which it is cut out; 0: none
-        uint32_t colourImage = kNone;    ///< base colour, and alpha
-        uint32_t emissionImage = kNone;  ///< times the material's emission
-        uint32_t roughnessImage = kNone; ///< roughness in green, metallic in blue
+        Material material; ///< without textures and microfacets; diffuse is to multiply `colour`
+        float metallic, roughness;        ///< that are to multiply metallicRoughness
+        float dielectric = 0.04f;         ///< reflectance of what is no metal
+        float alphaLimit = 0.0f;          ///< alpha of `colour` below which it is cut out; 0: none
+        bool unlit = false;               ///< it emits its base colour
+        bool saysOneSided = false;        ///< and is not silent about it
+        GltfTextureUse colour;            ///< base colour, and alpha
+        GltfTextureUse metallicRoughness; ///< roughness in green, metallic in blue
+        GltfTextureUse reflectance;       ///< in alpha, times dielectric
+        GltfTextureUse normal;
+        GltfTextureUse emission; ///< times the material's
         uint64_t texcoordSet = 0;
     };
     /// Triangles of one material.
@@ -49,6 +55,7 @@ struct GltfFile {
         std::vector<glm::vec3> positions; ///< finite where a triangle uses them
         std::vector<glm::vec3> normals;   ///< one a position, or none; may hold NaN
         std::vector<glm::vec2> texcoords; ///< one a position, or none; v downwards; may hold NaN
+        std::vector<glm::vec3> colors;    ///< linear; one a position, or none; from 0 to 1
         std::vector<std::array<uint32_t, 3>> triangles; ///< into these; in range
         uint32_t surface = kNone;                       ///< kNone: the default material
     };
@@ -66,10 +73,6 @@ struct GltfFile {
     std::vector<GltfCamera> cameras; ///< that nodes place, in the order of the file's `cameras`
     std::optional<GltfSpotlight> spotlight; ///< the first in the order of the nodes
 };
-
-/// Sets a material's metallic, roughness and reflectance from glTF's two numbers: a distribution as
-/// wide as the roughness squared, and a Fresnel term that begins at 0.04 for what is no metal.
-void setMetallicRoughness(Material& material, float metallic, float roughness);
 
 /// Reads a glTF 2.0 file, .gltf or .glb, with the buffers it names: what the nodes of its scene
 /// place. Members and extensions that are used and have no effect are reported as ignored, each

@@ -4,8 +4,7 @@
 #include "core/io/number.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <cmath>
 
 namespace dirt {
 
@@ -24,92 +23,124 @@ glm::vec3 colour(const JsonValue& owner, const char* name, size_t components, gl
 class SurfaceReader {
 public:
     SurfaceReader(const GltfData& data, size_t images, GltfIgnored& ignored)
-        : images_(images), ignored_(ignored), textures_(data.root().objects("textures")),
-          samplers_(data.root().objects("samplers")) {}
+        : ignored_(ignored), textures_(data, images, ignored) {}
 
     GltfFile::Surface read(const JsonValue& source) {
         GltfFile::Surface surface;
+        std::optional<uint64_t> set;
         Material& material = surface.material;
         material.name = printable(source.text("name").value_or(""));
         material.diffuse = glm::vec3(1.0f);
-        material.doubleSided = source.boolean("doubleSided").value_or(false);
+        const auto doubleSided = source.boolean("doubleSided");
+        material.doubleSided = doubleSided.value_or(false);
+        surface.saysOneSided = doubleSided == false;
         surface.metallic = surface.roughness = 1.0f;
         float alpha = 1.0f;
         if (const auto pbr = source.object("pbrMetallicRoughness"))
-            alpha = metallicRoughness(*pbr, surface);
-        setMetallicRoughness(material, surface.metallic, surface.roughness);
+            alpha = metallicRoughness(*pbr, surface, set);
         alphaMode(source, alpha, surface);
-        emission(source, surface);
+        normal(source, surface, set);
+        emission(source, surface, set);
+        dielectric(source, surface, set);
+        if (extension(source, "KHR_materials_unlit")) makeUnlit(surface);
+        surface.texcoordSet = set.value_or(0);
         return surface;
     }
 
 private:
+    static std::optional<JsonValue> extension(const JsonValue& source, const char* name) {
+        const auto extensions = source.object("extensions");
+        return extensions ? extensions->object(name) : std::nullopt;
+    }
+
     /// Returns the base colour's alpha.
-    float metallicRoughness(const JsonValue& pbr, GltfFile::Surface& surface) {
+    float metallicRoughness(const JsonValue& pbr, GltfFile::Surface& surface,
+                            std::optional<uint64_t>& set) {
         surface.material.diffuse = colour(pbr, "baseColorFactor", 4, glm::vec3(1.0f));
         surface.metallic = (float) pbr.number("metallicFactor", 0.0, 1.0).value_or(1.0);
         surface.roughness = (float) pbr.number("roughnessFactor", 0.0, 1.0).value_or(1.0);
-        if (const auto texture = pbr.object("baseColorTexture")) {
-            surface.colourImage = imageOf(*texture);
-            surface.texcoordSet = texture->integer("texCoord", kHighest).value_or(0);
-        }
-        if (const auto texture = pbr.object("metallicRoughnessTexture")) {
-            surface.roughnessImage = imageOf(*texture);
-            ignored_.add("material metallicRoughnessTexture but for its means");
-        }
+        surface.colour = textures_.use(pbr, "baseColorTexture", set);
+        surface.metallicRoughness = textures_.use(pbr, "metallicRoughnessTexture", set);
         const auto factor = pbr.numbers("baseColorFactor", 4);
         return factor ? (float) (*factor)[3] : 1.0f;
     }
 
-    /// A surface is cut out where alpha is below the cutoff, here where opacity is below 1/2.
+    /// A surface is cut out where alpha is below the cutoff, here where opacity is below 1/2. What
+    /// is to be blended is there where more than half of it would be.
     void alphaMode(const JsonValue& source, float alpha, GltfFile::Surface& surface) {
         const std::string mode = source.text("alphaMode").value_or("OPAQUE");
-        const auto cutoff = (float) source.number("alphaCutoff", 0.0, 1e30).value_or(0.5);
-        if (mode != "OPAQUE" && mode != "MASK") ignored_.add("material alphaMode " + mode);
-        if (mode != "MASK" || cutoff == 0.0f) return;
+        auto cutoff = (float) source.number("alphaCutoff", 0.0, 1e30).value_or(0.5);
+        if (mode == "BLEND") {
+            ignored_.add("material alphaMode BLEND but as a cut-out at 1/2");
+            cutoff = 0.5f;
+        } else if (mode != "MASK") {
+            if (mode != "OPAQUE") ignored_.add("material alphaMode " + mode);
+            return;
+        }
+        if (cutoff == 0.0f) return;
         surface.material.opacity = 0.5f * alpha / cutoff;
         if (alpha > 0.0f) surface.alphaLimit = cutoff / alpha;
     }
 
-    void emission(const JsonValue& source, GltfFile::Surface& surface) {
+    void normal(const JsonValue& source, GltfFile::Surface& surface, std::optional<uint64_t>& set) {
+        surface.normal = textures_.use(source, "normalTexture", set);
+        if (const auto texture = source.object("normalTexture"))
+            surface.material.normalScale =
+                (float) texture->number("scale", -1e30, 1e30).value_or(1.0);
+    }
+
+    void emission(const JsonValue& source, GltfFile::Surface& surface,
+                  std::optional<uint64_t>& set) {
         glm::vec3& emission = surface.material.emission;
         emission = colour(source, "emissiveFactor", 3, glm::vec3(0.0f));
-        if (const auto extensions = source.object("extensions")) {
-            if (const auto strength = extensions->object("KHR_materials_emissive_strength"))
-                emission *= (float) strength->number("emissiveStrength", 0.0, 1e30).value_or(1.0);
-        }
+        if (const auto strength = extension(source, "KHR_materials_emissive_strength"))
+            emission *= (float) strength->number("emissiveStrength", 0.0, 1e30).value_or(1.0);
         if (!fitsFloat(glm::dvec3(emission))) source.fail("shines beyond float32");
-        const auto texture = source.object("emissiveTexture");
-        if (!texture) return;
-        surface.emissionImage = imageOf(*texture);
-        const uint64_t set = texture->integer("texCoord", kHighest).value_or(0);
-        if (surface.colourImage == GltfFile::kNone)
-            surface.texcoordSet = set;
-        else if (set != surface.texcoordSet)
-            ignored_.add("emissiveTexture texCoord");
+        surface.emission = textures_.use(source, "emissiveTexture", set);
     }
 
-    /// The image of a reference to a texture; kNone where it has none that can be read.
-    uint32_t imageOf(const JsonValue& reference) {
-        const uint64_t index = reference.requiredInteger("index", kHighest);
-        const JsonValue& texture = JsonValue::at(textures_, index, reference, "textures");
-        if (const auto sampler = texture.integer("sampler", kHighest))
-            for (const char* name : {"wrapS", "wrapT"})
-                if (JsonValue::at(samplers_, *sampler, texture, "samplers")
-                        .integer(name, kHighest)
-                        .value_or(kRepeat) != kRepeat)
-                    ignored_.add("sampler " + std::string(name));
-        const auto source = texture.integer("source", kHighest);
-        if (!source) return GltfFile::kNone; // in an extension alone
-        if (*source >= images_) texture.fail("refers to an image that is not there");
-        return (uint32_t) *source;
+    /// What is no metal reflects ((n - 1) / (n + 1))^2 at normal incidence; KHR_materials_ior says
+    /// n, which is else 1.5, and KHR_materials_specular scales it.
+    void dielectric(const JsonValue& source, GltfFile::Surface& surface,
+                    std::optional<uint64_t>& set) {
+        double reflectance = 0.04;
+        if (const auto ior = extension(source, "KHR_materials_ior")) {
+            const double n = ior->number("ior", 0.0, 1e30).value_or(1.5);
+            reflectance = std::pow((n - 1.0) / (n + 1.0), 2.0);
+        }
+        if (const auto specular = extension(source, "KHR_materials_specular")) {
+            const glm::vec3 tint = colour(*specular, "specularColorFactor", 3, glm::vec3(1.0f));
+            if (tint.x != tint.y || tint.y != tint.z)
+                ignored_.add("material specular specularColorFactor but its mean");
+            const double mean = ((double) tint.x + tint.y + tint.z) / 3.0;
+            reflectance = std::min(reflectance * mean, 1.0) *
+                          specular->number("specularFactor", 0.0, 1.0).value_or(1.0);
+            surface.reflectance = textures_.use(*specular, "specularTexture", set);
+            // It scales what is no metal, and only a texture tells this apart.
+            if (surface.reflectance.isThere() && surface.metallic > 0.0f &&
+                !surface.metallicRoughness.isThere()) {
+                ignored_.add("material specular specularTexture of a metal");
+                surface.reflectance = {};
+            }
+        }
+        surface.dielectric = (float) reflectance;
     }
 
-    static constexpr uint64_t kRepeat = 10497;
+    /// It has the base colour whatever shines on it. That it lights what is around it is more than
+    /// the extension says.
+    void makeUnlit(GltfFile::Surface& surface) {
+        ignored_.add("material extension KHR_materials_unlit but as emission");
+        Material& material = surface.material;
+        material.emission = material.diffuse;
+        material.diffuse = glm::vec3(0.0f);
+        surface.emission = surface.colour;
+        surface.normal = surface.metallicRoughness = surface.reflectance = {};
+        surface.metallic = surface.dielectric = 0.0f;
+        surface.unlit = true;
+    }
 
-    size_t images_;
     GltfIgnored& ignored_;
-    std::vector<JsonValue> textures_, samplers_;
+    GltfTextures textures_;
 };
 
 } // namespace
@@ -147,12 +178,6 @@ TextureLoader::Source GltfFile::Image::source(const std::filesystem::path& gltf)
     if (bytes) return {ImageFile(gltf / label, *bytes), label, gltf};
     const auto file = findFile(gltf.parent_path(), label);
     return {file ? std::optional<ImageFile>(*file) : std::nullopt, label, gltf};
-}
-
-void setMetallicRoughness(Material& material, float metallic, float roughness) {
-    material.metallic = metallic;
-    material.roughness = roughness * roughness;
-    material.reflectance = 0.04f + 0.96f * metallic;
 }
 
 } // namespace dirt

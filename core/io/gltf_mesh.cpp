@@ -3,6 +3,7 @@
 #include "core/io/gltf_draco.h"
 #include "core/io/gltf_faults.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace dirt {
@@ -23,8 +24,8 @@ std::vector<Vector> vectors(const std::vector<float>& values) {
 class PrimitiveReader {
 public:
     PrimitiveReader(const GltfData& data, const JsonValue& source,
-                    std::span<const GltfFile::Surface> surfaces)
-        : data_(data), source_(source), surfaces_(surfaces),
+                    std::span<const GltfFile::Surface> surfaces, GltfIgnored& ignored)
+        : data_(data), source_(source), surfaces_(surfaces), ignored_(ignored),
           attributes_(source.required("attributes")) {}
 
     GltfFile::Primitive read(uint64_t mode) {
@@ -76,8 +77,31 @@ private:
         primitive.normals = vectors<glm::vec3>(values("NORMAL", 3));
         primitive.texcoords =
             vectors<glm::vec2>(values(("TEXCOORD_" + std::to_string(set)).c_str(), 2));
-        for (const size_t size : {primitive.normals.size(), primitive.texcoords.size()})
+        primitive.colors = colors();
+        for (const size_t size :
+             {primitive.normals.size(), primitive.texcoords.size(), primitive.colors.size()})
             if (size != 0 && size != count) attributes_.fail("have not all as many elements");
+    }
+
+    /// Of three or four components, whose last is alpha.
+    std::vector<glm::vec3> colors() const {
+        const auto accessor = attributes_.integer("COLOR_0", kHighest);
+        if (!accessor) return {};
+        const size_t components = data_.components(*accessor, attributes_) == 4 ? 4 : 3;
+        const std::vector<float> all = values("COLOR_0", components);
+        std::vector<glm::vec3> colors(all.size() / components);
+        for (size_t i = 0; i < colors.size(); ++i)
+            for (int k = 0; k < 3; ++k) {
+                const float value = all[i * components + (size_t) k];
+                colors[i][k] = value >= 0.0f ? std::min(value, 1.0f) : 0.0f; // NaN, too
+            }
+        if (components == 4)
+            for (size_t i = 3; i < all.size(); i += 4)
+                if (all[i] < 1.0f) {
+                    ignored_.add("attribute COLOR_0 alpha");
+                    break;
+                }
+        return colors;
     }
 
     /// An attribute's values, one after the other; none where the primitive has not got it.
@@ -118,6 +142,7 @@ private:
     const GltfData& data_;
     const JsonValue& source_;
     std::span<const GltfFile::Surface> surfaces_;
+    GltfIgnored& ignored_;
     JsonValue attributes_;
     std::optional<DracoMesh> draco_;
 };
@@ -135,7 +160,7 @@ std::vector<GltfFile::Primitive> gltfPrimitives(const GltfData& data, const Json
             ignored.add(mode == 0 ? "primitive of points" : "primitive of lines");
             continue;
         }
-        list.push_back(PrimitiveReader(data, source, surfaces).read(mode));
+        list.push_back(PrimitiveReader(data, source, surfaces, ignored).read(mode));
         checkVertices(list.back(), source, faults);
     }
     return list;

@@ -79,9 +79,16 @@ private:
             failAt(gltf_.file, 0, "a vertex does not fit in float32 after its transformation");
         vertex.position = (uint32_t) mesh_.positions.size();
         mesh_.positions.emplace_back(p);
+        if (!source_.colors.empty()) placeColour(source_.colors[index]);
         if (!source_.normals.empty()) placeNormal(source_.normals[index], vertex);
         if (!source_.texcoords.empty()) placeTexcoord(source_.texcoords[index], vertex);
         return vertex;
+    }
+
+    /// Vertices before it that have none are white.
+    void placeColour(glm::vec3 colour) {
+        mesh_.colors.resize(mesh_.positions.size() - 1, glm::vec3(1.0f));
+        mesh_.colors.push_back(colour);
     }
 
     void placeNormal(glm::vec3 normal, Vertex& vertex) {

@@ -1,5 +1,6 @@
 #include "core/io/scene_builder.h"
 
+#include "core/io/load_gltf_material.h"
 #include "core/io/mtl_material.h"
 #include "core/io/mtl_textures.h"
 #include "core/io/place_gltf.h"
@@ -119,26 +120,10 @@ uint32_t SceneBuilder::addSurface(const GltfFile& gltf, size_t index, bool doubl
         {gltf.file.string(), "materials[" + std::to_string(index) + "]", std::nullopt, doubleSided},
         (uint32_t) scene_.materials.size());
     if (!isNew) return entry->second;
-    const GltfFile::Surface& surface = gltf.surfaces[index];
-    Material material = surface.material;
+    Material material = loadGltfMaterial(gltf, index, textures_);
     material.doubleSided |= doubleSided;
-    const auto sourceOf = [&](uint32_t image) { return gltf.images[image].source(gltf.file); };
-    if (surface.colourImage != GltfFile::kNone) {
-        const auto source = sourceOf(surface.colourImage);
-        material.diffuseMap = textures_.colour(source);
-        material.diffuseMapFactor = surface.material.diffuse;
-        if (surface.alphaLimit > 0.0f)
-            material.opacityMap = textures_.alpha(source, surface.alphaLimit);
-    }
-    if (surface.emissionImage != GltfFile::kNone)
-        material.emissionMap = textures_.colour(sourceOf(surface.emissionImage));
-    // Without the texture there is no telling which part of the surface shines.
-    if (surface.emissionImage != GltfFile::kNone && material.emissionMap == kNoTexture)
-        material.emission = glm::vec3(0.0f);
-    if (surface.roughnessImage != GltfFile::kNone)
-        if (const auto means = textures_.means(sourceOf(surface.roughnessImage)))
-            setMetallicRoughness(material, surface.metallic * means->z,
-                                 surface.roughness * means->y);
+    if (doubleSided && gltf.surfaces[index].saysOneSided)
+        report_.ignore("glTF material doubleSided false");
     scene_.materials.push_back(std::move(material));
     return entry->second;
 }

@@ -199,12 +199,4 @@ std::optional<ScalarTexture> readAlpha(const DecodedImage& image, float limit) {
     return alpha;
 }
 
-glm::vec3 readMeans(const DecodedImage& image) {
-    const auto texels = image.pixels().colours<float>();
-    double sums[3] = {};
-    for (size_t i = 0; i < texels.size(); ++i) sums[i % 3] += texels[i];
-    const double count = (double) (texels.size() / 3);
-    return {(float) (sums[0] / count), (float) (sums[1] / count), (float) (sums[2] / count)};
-}
-
 } // namespace dirt

@@ -69,7 +69,4 @@ bool isNormalMap(const DecodedImage& image);
 /// \p limit and others.
 std::optional<ScalarTexture> readAlpha(const DecodedImage& image, float limit = 0.5f);
 
-/// The means of an image's first three channels, as data.
-glm::vec3 readMeans(const DecodedImage& image);
-
 } // namespace dirt

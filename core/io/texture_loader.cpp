@@ -148,11 +148,4 @@ uint32_t TextureLoader::alpha(const Source& source, float limit, const TextureSa
                  });
 }
 
-std::optional<glm::vec3> TextureLoader::means(const Source& source) {
-    const Result& result = load(keyOf(source, "means"), source,
-                                [](const DecodedImage& image) { return readMeans(image); });
-    const auto* const means = std::get_if<glm::vec3>(&result);
-    return means ? std::optional(*means) : std::nullopt;
-}
-
 } // namespace dirt

@@ -57,12 +57,10 @@ public:
     Relief relief(const Source& source, const TextureSampling& sampling, ImageChannel channel);
     /// In Scene::scalarTextures: the image's alpha, if it cuts out a part (see readAlpha).
     uint32_t alpha(const Source& source, float limit = 0.5f, const TextureSampling& sampling = {});
-    /// The means of the first three channels, as data.
-    std::optional<glm::vec3> means(const Source& source);
 
 private:
     /// Nothing: the image has no such part. A text: why it could not be read.
-    using Result = std::variant<std::monostate, Texture, ScalarTexture, glm::vec3, std::string>;
+    using Result = std::variant<std::monostate, Texture, ScalarTexture, std::string>;
     using Read = std::function<Result(const DecodedImage&)>;
 
     /// A path, or label where there is none, and what is read of it.

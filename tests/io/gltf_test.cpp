@@ -229,7 +229,7 @@ TEST_F(Gltf, MapsTextures) {
     // Alpha 0.8 and 0.4: beside a cutoff of 0.6 one half is there.
     twoColours("mask.png", {255, 0, 0, 204}, {255, 0, 0, 102});
     twoColours("glow.png", {255, 255, 255, 255}, {0, 0, 0, 255});
-    twoColours("rough.png", {0, 51, 255, 255}, {0, 153, 0, 255}); // means 0.4 and 0.5
+    twoColours("rough.png", {0, 51, 255, 255}, {0, 153, 0, 255});
     GltfWriter writer = textured({{"uri", "mask.png"}});
     writer.json["images"].push_back({{"uri", "glow.png"}});
     writer.json["images"].push_back({{"uri", "rough.png"}});
@@ -250,8 +250,14 @@ TEST_F(Gltf, MapsTextures) {
     EXPECT_EQ(loaded.emission, glm::vec3(0, 2, 0));
     EXPECT_EQ(scene.textures.at(loaded.emissionMap).sample({0.25f, 0.5f}), glm::vec3(1));
     EXPECT_EQ(scene.textures.at(loaded.emissionMap).sample({0.75f, 0.5f}), glm::vec3(0));
-    EXPECT_NEAR(loaded.metallic, 0.5f, 0x1p-24f); // sums in double, rounded once or twice
-    EXPECT_NEAR(loaded.roughness, 0.2f * 0.2f, 4 * 0x1p-29f);
+    EXPECT_EQ(loaded.metallic, 1.0f);
+    EXPECT_EQ(loaded.roughness, 0.5f * 0.5f);
+    EXPECT_EQ(loaded.reflectance, 0.04f); // of what is no metal
+    const ScalarTexture& roughness = scene.scalarTextures.at(loaded.roughnessMap);
+    EXPECT_EQ(roughness.sample({0.25f, 0.5f}), 51.0f / 255.0f);
+    EXPECT_EQ(roughness.sample({0.75f, 0.5f}), 153.0f / 255.0f);
+    EXPECT_EQ(scene.scalarTextures.at(loaded.metallicMap).sample({0.25f, 0.5f}), 1.0f);
+    EXPECT_EQ(scene.scalarTextures.at(loaded.metallicMap).sample({0.75f, 0.5f}), 0.0f);
     // A glow that cannot be read does not make all of the surface shine.
     std::filesystem::remove(folder_ / "glow.png");
     const LoadedScene dark = load(writer);
@@ -266,7 +272,8 @@ TEST_F(Gltf, ReadsImagesFromWhereverTheyAre) {
         for (const Warning& warning : loaded.warnings) ADD_FAILURE() << warning.text;
         EXPECT_EQ(loaded.scene.textures.size(), 1u);
         EXPECT_EQ(loaded.scene.materials.at(0).diffuseMap, 0u);
-        return loaded.scene.textures.at(0).sample({0.5f, 0.5f});
+        return loaded.scene.textures.at(0).sample({0.5f, 0.5f}) *
+               loaded.scene.materials.at(0).diffuseMapFactor;
     };
     EXPECT_EQ(colourOf(textured({{"uri", "red%20wall.PNG"}})), glm::vec3(1, 0, 0));
     EXPECT_EQ(colourOf(textured({{"uri", "data:image/png;base64," + GltfWriter::base64(png)}})),
