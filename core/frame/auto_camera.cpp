@@ -1,159 +1,233 @@
 #include "core/frame/auto_camera.h"
 
-#include "core/frame/viewpoints.h"
+#include "core/frame/framing.h"
+#include "core/frame/model_kind.h"
+#include "core/frame/object_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <set>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 
 namespace dirt {
 
 namespace {
 
-constexpr int kColumns = 12, kRows = 6; ///< rays of one coarse image
-constexpr size_t kRays = kColumns * kRows;
+constexpr int kHeadings = 16;           ///< level directions tried at one place
+constexpr int kColumns = 12, kRows = 6; ///< rays of a coarse image
 
-// What makes a place worth standing at, and a view worth looking at. Taste, tried on interiors,
-// outdoor scenes, foliage and single objects; only the picture that opens depends on them.
-constexpr double kLeastHits = 0.2;    ///< of the rays, in every direction from an inside place
-constexpr double kMostBehind = 0.6;   ///< of the hits, on the back of triangles: in a solid
-constexpr double kStandingRoom = 0.1; ///< 10 % quantile of distances, of the scene's height
-constexpr double kComfortable = 1.0;  ///< distance at which a hit counts a quarter, of the height
+/// Where to stand and which way to look; grid frame.
+struct Look {
+    glm::dvec3 eye, direction;
+};
 
-constexpr double kFromOutside = 0.5; ///< what such a view counts: of a room it shows the shell
+/// A model in the grid frame around the middle of its box, what is known of it, and what is asked.
+struct Subject {
+    const FrameGeometry& geometry;
+    const CameraHints& hints;
+    Horizon horizon;
+    std::vector<SurfaceSample> samples;
+    glm::dvec3 low{std::numeric_limits<double>::max()};
+    glm::dvec3 high{std::numeric_limits<double>::lowest()};
+    std::optional<glm::dvec3> eye, target;
 
-/// What the rays of one coarse image found.
-struct Glance {
-    size_t hits = 0, behind = 0;
-    std::vector<double> depths;        ///< distances of the hits; world space
-    std::vector<glm::dvec3> alongAxis; ///< of each: column, row, and its depth along the view
-
-    void add(const Glance& other) {
-        hits += other.hits;
-        behind += other.behind;
-        depths.insert(depths.end(), other.depths.begin(), other.depths.end());
-        alongAxis.insert(alongAxis.end(), other.alongAxis.begin(), other.alongAxis.end());
+    Subject(const Mesh& mesh, const FrameGeometry& geometry, const CameraHints& hints)
+        : geometry(geometry), hints(hints), horizon(hints.up),
+          samples(sampleSurface(mesh, geometry)) {
+        for (const Triangle& t : geometry.triangles)
+            for (const glm::dvec3 p : {glm::dvec3(t.a), glm::dvec3(t.b), glm::dvec3(t.c)}) {
+                low = glm::min(low, p);
+                high = glm::max(high, p);
+            }
+        if (hints.eye) eye = toGrid(*hints.eye);
+        if (hints.target) target = toGrid(*hints.target);
     }
-    double quantile(double q) const {
-        std::vector<double> sorted = depths;
-        const auto nth = sorted.begin() + (std::ptrdiff_t)(q * (double) (sorted.size() - 1));
-        std::nth_element(sorted.begin(), nth, sorted.end());
-        return *nth;
+    Framing framing(glm::dvec3 direction) const {
+        return Framing(direction, hints.up, hints.verticalFov, hints.aspect);
+    }
+    glm::dvec3 centre() const { return 0.5 * (low + high); }
+    /// In double: what is given may be far outside of what float's grid frame holds.
+    glm::dvec3 toGrid(glm::vec3 world) const {
+        const GridFrame& frame = geometry.frame;
+        return (glm::dvec3(world) - glm::dvec3(frame.eye)) * (double) frame.scale;
+    }
+    glm::dvec3 toWorld(glm::dvec3 p) const {
+        const GridFrame& frame = geometry.frame;
+        return glm::dvec3(frame.eye) + p / (double) frame.scale;
+    }
+    /// The corners of the model's box.
+    std::vector<glm::dvec3> box() const {
+        std::vector<glm::dvec3> corners;
+        for (int i = 0; i < 8; ++i)
+            corners.push_back(
+                {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+        return corners;
     }
 };
 
-Glance glanceOf(std::span<const Ray> rays, std::span<const Hit> hits, glm::dvec3 direction,
-                const FrameGeometry& geometry) {
+/// What a picture is worth: the samples in it that \p view shows from a side that counts, each by
+/// its weight and as far as it faces the eye; times the number of their materials, as a bare wall
+/// shows less than what somebody has furnished.
+double worthOf(const Subject& subject, const Look& look, const SurfaceView& view, bool backsToo,
+               std::span<const double> weights) {
+    const Framing framing = subject.framing(look.direction);
+    double area = 0.0;
+    std::set<uint32_t> materials;
+    for (size_t s = 0; s < view.size(); ++s) {
+        const bool counts = view[s] == Side::front || (backsToo && view[s] == Side::back);
+        const SurfaceSample& sample = subject.samples[s];
+        if (!counts || !framing.contains(sample.point, look.eye)) continue;
+        const glm::dvec3 way = glm::normalize(look.eye - glm::dvec3(sample.point));
+        area += std::abs(glm::dot(sample.normal, way)) * (weights.empty() ? 1.0 : weights[s]);
+        materials.insert(sample.material);
+    }
+    return area * (double) materials.size();
+}
+
+/// The directions to try from \p eye: to the target, or around.
+std::vector<Look> looksFrom(const Subject& subject, glm::dvec3 eye) {
+    std::vector<Look> looks;
+    if (!subject.target) {
+        for (int i = 0; i < kHeadings; ++i)
+            looks.push_back({eye, subject.horizon.heading(2.0 * std::numbers::pi * i / kHeadings)});
+    } else if (*subject.target != eye) {
+        looks.push_back({eye, *subject.target - eye});
+    }
+    return looks;
+}
+
+/// From a given place, what shows most: at the middle of the model, or level around.
+Look lookFrom(const Subject& subject, glm::dvec3 eye, Tracer& tracer) {
+    std::vector<Look> looks = looksFrom(subject, eye);
+    if (!subject.target && subject.centre() != eye)
+        looks.insert(looks.begin(), {eye, subject.centre() - eye});
+    const SurfaceView view = viewsAt(std::array{eye}, subject.samples, tracer).front();
+    Look best{eye, subject.horizon.forward};
+    double most = -1.0;
+    for (const Look& look : looks) {
+        const double worth = worthOf(subject, look, view, true, {});
+        if (worth <= most) continue;
+        most = worth;
+        best = look;
+    }
+    return best;
+}
+
+Look lookAtObject(const Subject& subject, const ModelKind& kind, Tracer& tracer) {
+    std::vector<glm::dvec3> corners;
+    corners.reserve(3 * subject.geometry.triangles.size());
+    for (const Triangle& t : subject.geometry.triangles)
+        corners.insert(corners.end(), {t.a, t.b, t.c});
+    const glm::dvec3 direction = objectDirection(subject.horizon, kind, subject.samples, tracer);
+    return {subject.framing(direction).eyeFor(corners, subject.target), direction};
+}
+
+/// What shows most of the surface that is seen from within: from one of the places inside, level;
+/// or from outside, level or slightly from above, through an opening.
+Look lookIntoRoom(const Subject& subject, const ModelKind& kind, Tracer& tracer) {
+    const std::vector<glm::dvec3> box = subject.box();
+    std::vector<Look> outside;
+    std::vector<glm::dvec3> eyes;
+    for (double rise : {0.0, kSlightly})
+        for (int i = 0; i < kHeadings; ++i) {
+            const double turn = 2.0 * std::numbers::pi * i / kHeadings;
+            const glm::dvec3 direction =
+                glm::normalize(subject.horizon.heading(turn) - rise * subject.horizon.up);
+            eyes.push_back(subject.framing(direction).eyeFor(box, subject.target));
+            outside.push_back({eyes.back(), direction});
+        }
+    const std::vector<SurfaceView> views = viewsAt(eyes, subject.samples, tracer);
+
+    Look best = outside.front();
+    double most = -1.0;
+    const auto consider = [&](const Look& look, const SurfaceView& view) {
+        const double worth = worthOf(subject, look, view, false, kind.within);
+        if (worth <= most) return;
+        most = worth;
+        best = look;
+    };
+    for (size_t i = 0; i < outside.size(); ++i) consider(outside[i], views[i]);
+    for (size_t i = 0; i < kind.places.size(); ++i)
+        for (const Look& look : looksFrom(subject, kind.places[i])) consider(look, kind.views[i]);
+    return best;
+}
+
+Look chooseLook(const Subject& subject, Tracer& tracer) {
+    if (subject.eye) return lookFrom(subject, *subject.eye, tracer);
+    const ModelKind kind = kindOf(subject.geometry, subject.samples, tracer);
+    return kind.room ? lookIntoRoom(subject, kind, tracer) : lookAtObject(subject, kind, tracer);
+}
+
+/// What a coarse image shows.
+struct Glance {
+    double distance = 0.0;           ///< median of what is seen, else that of the model's middle
+    std::vector<glm::vec3> points;   ///< that are seen
+    std::vector<uint32_t> triangles; ///< on which they lie
+};
+
+Glance glanceAt(const Subject& subject, const Look& look, Tracer& tracer) {
+    const Framing framing = subject.framing(look.direction);
+    std::vector<Ray> rays;
+    for (int row = 0; row < kRows; ++row)
+        for (int column = 0; column < kColumns; ++column) {
+            const double x = framing.wide * ((2 * column + 1) / (double) kColumns - 1.0);
+            const double y = framing.tall * ((2 * row + 1) / (double) kRows - 1.0);
+            Ray ray;
+            ray.origin = glm::vec3(look.eye);
+            ray.direction =
+                glm::vec3(glm::normalize(framing.forward + x * framing.right + y * framing.down));
+            rays.push_back(ray);
+        }
+    std::vector<Hit> hits(rays.size());
+    tracer.intersect(rays, hits);
+
     Glance glance;
+    std::vector<float> distances;
     for (size_t i = 0; i < rays.size(); ++i) {
         if (!hits[i].found()) continue;
-        const Triangle& t = geometry.triangles[hits[i].primitive];
-        const glm::vec3 normal = glm::cross(t.b - t.a, t.c - t.a);
-        ++glance.hits;
-        if (glm::dot(normal, rays[i].direction) > 0.0f) ++glance.behind;
-        const double depth = hits[i].t / (double) geometry.frame.scale;
-        glance.depths.push_back(depth);
-        glance.alongAxis.push_back({(double) (i % kColumns), (double) (i / kColumns),
-                                    depth * glm::dot(glm::dvec3(rays[i].direction), direction)});
+        distances.push_back(hits[i].t);
+        glance.points.push_back(rays[i].origin + hits[i].t * rays[i].direction);
+        glance.triangles.push_back(hits[i].primitive);
     }
+    glance.distance = glm::length(subject.centre() - look.eye);
+    if (distances.empty()) return glance;
+    const auto median = distances.begin() + (std::ptrdiff_t)(distances.size() / 2);
+    std::nth_element(distances.begin(), median, distances.end());
+    glance.distance = *median;
     return glance;
 }
 
-/// How far a hit's depth counts, by its distance relative to the scene's height.
-double weightOf(double relative) {
-    const double half = relative / (relative + kComfortable);
-    return half * half;
-}
-
-/// How far the hits' depths are, in octaves, from those of the one plane that fits them best: a
-/// wall seen at a slant is no view, however deep it goes. Of a plane 1 / depth is linear in the
-/// image; the fit is by relative differences, each with its weight.
-double spreadBesidePlane(const Glance& glance, std::span<const double> weights) {
-    glm::dmat3 products(0.0);
-    glm::dvec3 sums(0.0);
-    double all = 0.0;
-    for (size_t i = 0; i < weights.size(); ++i) {
-        const glm::dvec3& p = glance.alongAxis[i];
-        const glm::dvec3 row = glm::dvec3(p.x, p.y, 1.0) * p.z;
-        products += glm::outerProduct(row, row) * weights[i];
-        sums += row * weights[i];
-        all += weights[i];
+/// Where a light stands: beside and above the eye, a tenth of the distance away, if it reaches most
+/// of what is seen from there; else at the eye.
+glm::dvec3 lightPlace(const Subject& subject, const Look& look, const Glance& glance,
+                      Tracer& tracer) {
+    const Framing framing = subject.framing(look.direction);
+    const glm::dvec3 place = look.eye + 0.1 * glance.distance * (framing.right - framing.down);
+    std::vector<Ray> rays;
+    for (size_t i = 0; i < glance.points.size(); ++i) {
+        Ray ray;
+        ray.origin = glance.points[i];
+        ray.direction = glm::vec3(place) - ray.origin;
+        ray.skip = glance.triangles[i];
+        rays.push_back(ray);
     }
-    // So that few hits, or those of one line, have a plane, too.
-    const double trace = products[0][0] + products[1][1] + products[2][2];
-    for (int i = 0; i < 3; ++i) products[i][i] += 1e-9 * trace;
-    const glm::dvec3 plane = glm::inverse(products) * sums;
-    double squares = 0.0;
-    for (size_t i = 0; i < weights.size(); ++i) {
-        const glm::dvec3& p = glance.alongAxis[i];
-        const double ratio = p.z * (plane.x * p.x + plane.y * p.y + plane.z);
-        const double octaves = std::log2(std::clamp(ratio, 1.0 / 16.0, 16.0));
-        squares += weights[i] * octaves * octaves;
-    }
-    return std::sqrt(squares / all);
+    const std::vector<float> maxT(rays.size(), 1.0f);
+    std::vector<uint8_t> occluded(rays.size());
+    tracer.occluded(rays, maxT, occluded);
+    const size_t dark = (size_t) std::count(occluded.begin(), occluded.end(), 1);
+    return 2 * dark > occluded.size() ? look.eye : place;
 }
 
-/// Fraction of rays that hit, near ones for less, times the spread of their depth in octaves, as
-/// far as one plane does not explain it.
-double scoreOf(const Glance& glance, double height) {
-    std::vector<double> weights;
-    double seen = 0.0, sum = 0.0, squares = 0.0;
-    for (double depth : glance.depths) {
-        const double relative = std::max(depth / height, 1e-6);
-        const double weight = weightOf(relative), octaves = std::log2(relative);
-        weights.push_back(weight);
-        seen += weight;
-        sum += weight * octaves;
-        squares += weight * octaves * octaves;
-    }
-    if (seen == 0.0) return 0.0;
-    const double mean = sum / seen;
-    const double spread = std::min(std::sqrt(std::max(0.0, squares / seen - mean * mean)),
-                                   spreadBesidePlane(glance, weights));
-    const double front = 1.0 - (double) glance.behind / (double) glance.hits;
-    return seen / (double) kRays * front * (0.5 + spread);
-}
-
-/// Whether one can stand at an inside place, given what is seen from it in each direction.
-bool isInhabitable(std::span<const Glance> glances, double height) {
-    Glance all;
-    for (const Glance& glance : glances) {
-        if ((double) glance.hits < kLeastHits * (double) kRays) return false;
-        all.add(glance);
-    }
-    return (double) all.behind < kMostBehind * (double) all.hits &&
-           all.quantile(0.1) > kStandingRoom * height;
-}
-
-/// Rays through a coarse image, in the grid frame.
-void appendRays(const Viewpoint& place, glm::dvec3 direction, const CameraHints& hints,
-                const GridFrame& frame, std::vector<Ray>& rays) {
-    const glm::dvec3 right = glm::normalize(glm::cross(direction, glm::dvec3(hints.up)));
-    const glm::dvec3 up = glm::cross(right, direction);
-    const double tall = std::tan(hints.verticalFov * std::numbers::pi / 360.0);
-    const double wide = tall * hints.aspect;
-    for (int row = 0; row < kRows; ++row)
-        for (int column = 0; column < kColumns; ++column) {
-            const double x = wide * ((2 * column + 1) / (double) kColumns - 1.0);
-            const double y = tall * (1.0 - (2 * row + 1) / (double) kRows);
-            const glm::dvec3 d = glm::normalize(direction + x * right + y * up);
-            Ray ray;
-            ray.origin = frame.toGrid(glm::vec3(place.eye));
-            ray.direction = frame.directionToGrid(glm::vec3(d));
-            rays.push_back(ray);
-        }
-}
-
-/// A light beside and above the eye that brings white paint at \p distance to a radiance of a
-/// third: with the background's, and what is nearer, it stays below white.
-Spotlight lightFor(const Camera& camera, double distance) {
-    const CameraBasis basis = cameraBasis(camera);
+/// A light that brings white paint at \p distance to a radiance of a third: with the background's,
+/// and what is nearer, it stays below white.
+Spotlight lightFor(const Camera& camera, glm::vec3 position, double distance) {
     Spotlight light;
-    light.position = camera.eye + (float) (0.1 * distance) * (basis.right - basis.down);
+    light.position = position;
     light.target = camera.target;
     light.aperture = 160.0f;
     light.penumbra = 120.0f;
@@ -165,56 +239,50 @@ Spotlight lightFor(const Camera& camera, double distance) {
     return light;
 }
 
+/// Puts a camera at \p eye with a target at \p distance, world space, apart in float.
+void place(Camera& camera, glm::dvec3 eye, glm::dvec3 direction, double distance,
+           const CameraHints& hints) {
+    camera.eye = hints.eye.value_or(glm::vec3(eye));
+    camera.target = hints.target.value_or(glm::vec3(eye + distance * direction));
+    if (hints.eye && hints.target) return;
+    for (double away = distance > 0.0 ? distance : 1.0; camera.eye == camera.target; away *= 2.0)
+        if (hints.eye)
+            camera.target = glm::vec3(eye + away * direction);
+        else
+            camera.eye = glm::vec3(eye - away * direction);
+}
+
 } // namespace
 
 Standpoint chooseStandpoint(const Mesh& mesh, Tracer& tracer, const CameraHints& hints) {
-    const SceneExtent extent = extentOf(mesh, hints.up);
-    const std::vector<Viewpoint> places = viewpoints(extent, hints);
-
-    // One structure, around the middle of the box, serves the rays of all places.
+    // One structure, around the middle of the box, serves all rays.
+    glm::dvec3 low(std::numeric_limits<double>::max());
+    glm::dvec3 high(std::numeric_limits<double>::lowest());
+    for (const Corners& corners : mesh.triangles)
+        for (uint32_t index : corners) {
+            low = glm::min(low, glm::dvec3(mesh.positions[index]));
+            high = glm::max(high, glm::dvec3(mesh.positions[index]));
+        }
     Camera middle;
-    middle.eye = glm::vec3(extent.world(extent.centre()));
-    middle.target = middle.eye + glm::vec3(extent.forward);
-    middle.up = hints.up;
+    middle.eye = glm::vec3(0.5 * (low + high));
+    middle.target = middle.eye;
     const FrameGeometry geometry = makeFrameGeometry(mesh, middle, ViewMode::full);
     GridSettings settings;
     settings.width = settings.height = settings.viewSize = 512;
     tracer.build(geometry, middle, settings);
 
-    std::vector<Ray> rays;
-    for (const Viewpoint& place : places)
-        for (glm::dvec3 direction : place.directions)
-            appendRays(place, direction, hints, geometry.frame, rays);
-    std::vector<Hit> hits(rays.size());
-    tracer.intersect(rays, hits);
-
-    const double height = std::max(extent.least(), 1e-30);
-    glm::dvec3 eye = places.back().eye, direction = places.back().directions.back();
-    double best = 0.0, distance = glm::length(extent.world(extent.centre()) - eye);
-    size_t first = 0;
-    for (const Viewpoint& place : places) {
-        std::vector<Glance> glances;
-        for (size_t i = 0; i < place.directions.size(); ++i, first += kRays)
-            glances.push_back(glanceOf(std::span(rays).subspan(first, kRays),
-                                       std::span(hits).subspan(first, kRays), place.directions[i],
-                                       geometry));
-        if (place.inside && !isInhabitable(glances, height)) continue;
-        for (size_t i = 0; i < glances.size(); ++i) {
-            const double score = scoreOf(glances[i], height) * (place.inside ? 1.0 : kFromOutside);
-            if (score <= best) continue;
-            best = score;
-            eye = place.eye;
-            direction = place.directions[i];
-            distance = glances[i].quantile(0.5);
-        }
-    }
-
+    const Subject subject(mesh, geometry, hints);
+    const Look look = chooseLook(subject, tracer);
+    const Glance glance = glanceAt(subject, look, tracer);
     Standpoint result;
-    result.camera.eye = glm::vec3(eye);
-    result.camera.target = hints.target.value_or(glm::vec3(eye + distance * direction));
     result.camera.up = hints.up;
     result.camera.verticalFov = hints.verticalFov;
-    result.light = lightFor(result.camera, distance);
+    const double distance = glance.distance / (double) geometry.frame.scale;
+    place(result.camera, subject.toWorld(look.eye), glm::normalize(look.direction), distance,
+          hints);
+    glm::vec3 lamp(subject.toWorld(lightPlace(subject, look, glance, tracer)));
+    if (lamp == result.camera.target) lamp = result.camera.eye; // a point far from the origin
+    result.light = lightFor(result.camera, lamp, distance);
     return result;
 }
 

@@ -25,11 +25,11 @@ struct Standpoint {
     Spotlight light;
 };
 
-/// Finds a place that shows \p mesh: of some hundred views, from inside its box and around it, the
-/// one whose rays hit most and spread widest in depth, from outside of solids and not with a
-/// surface before the lens. The light stands beside the eye. Builds \p tracer's structure once and
-/// casts a few ten thousand rays. The same mesh gives the same standpoint; without triangles, or
-/// where nothing can be hit, the mesh's box is looked at from in front.
+/// Finds a place that shows \p mesh. An object (see ModelKind) is shown whole, from outside, in
+/// front and slightly above (see objectDirection). A room is shown from the place inside, or before
+/// an opening, whose picture has most of the surface that is seen from within. The light stands
+/// beside the eye. Builds \p tracer's structure once and casts some hundred thousand rays. The same
+/// mesh gives the same standpoint; without triangles that can be seen, its box is looked at.
 Standpoint chooseStandpoint(const Mesh& mesh, Tracer& tracer, const CameraHints& hints);
 
 } // namespace dirt

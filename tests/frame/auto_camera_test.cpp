@@ -1,10 +1,13 @@
 #include "core/frame/auto_camera.h"
 
 #include "backend_cpu/cpu_backend.h"
+#include "backend_cpu/thread_pool.h"
+#include "core/frame/framing.h"
 #include "core/trace/traverse.h"
+#include "tests/support/made_models.h"
 
+#include <array>
 #include <cmath>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -12,58 +15,7 @@
 namespace dirt {
 namespace {
 
-void addQuad(Mesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
-    const uint32_t first = (uint32_t) mesh.positions.size();
-    mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
-    mesh.triangles.push_back({first, first + 1, first + 2});
-    mesh.triangles.push_back({first, first + 2, first + 3});
-}
-
-/// A box whose faces look outwards, or inwards.
-void addBox(Mesh& mesh, glm::vec3 low, glm::vec3 high, bool inwards) {
-    for (int axis = 0; axis < 3; ++axis)
-        for (int side = 0; side < 2; ++side) {
-            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-            glm::vec3 corner[4];
-            for (int i = 0; i < 4; ++i) {
-                corner[i][axis] = side ? high[axis] : low[axis];
-                corner[i][u] = i == 1 || i == 2 ? high[u] : low[u];
-                corner[i][v] = i >= 2 ? high[v] : low[v];
-            }
-            if ((side == 1) != inwards)
-                addQuad(mesh, corner[0], corner[1], corner[2], corner[3]);
-            else
-                addQuad(mesh, corner[3], corner[2], corner[1], corner[0]);
-        }
-}
-
-/// A hall of 20 x 6 x 10 with four pillars.
-Mesh hall() {
-    Mesh mesh;
-    addBox(mesh, {-10, 0, -5}, {10, 6, 5}, true);
-    for (float x : {-6.0f, 6.0f})
-        for (float z : {-3.0f, 3.0f})
-            addBox(mesh, {x - 0.4f, 0, z - 0.4f}, {x + 0.4f, 6, z + 0.4f}, false);
-    return mesh;
-}
-
-Mesh ball() {
-    Mesh mesh;
-    const auto at = [](int i, int j) {
-        const double theta = std::numbers::pi * i / 24, phi = std::numbers::pi * j / 24;
-        return glm::vec3(std::sin(theta) * std::sin(phi), std::cos(theta),
-                         std::sin(theta) * std::cos(phi));
-    };
-    for (int i = 0; i < 24; ++i)
-        for (int j = 0; j < 48; ++j)
-            addQuad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-    return mesh;
-}
-
-Mesh scaled(Mesh mesh, float scale) {
-    for (glm::vec3& p : mesh.positions) p *= scale;
-    return mesh;
-}
+using namespace test;
 
 Standpoint choose(const Mesh& mesh, const CameraHints& hints = {}) {
     SerialExecutor executor;
@@ -91,7 +43,8 @@ TEST(AutoCamera, StandsInARoom) {
 }
 
 TEST(AutoCamera, StandsOutsideOfASolid) {
-    const Mesh mesh = ball();
+    Mesh mesh;
+    addBall(mesh, glm::vec3(0), 1.0f, 24);
     const Camera camera = choose(mesh).camera;
     EXPECT_GT(glm::length(camera.eye), 1.2f);
     EXPECT_LT(glm::length(camera.eye), 8.0f);
@@ -107,6 +60,166 @@ TEST(AutoCamera, PrefersWhatIsThereToABareWall) {
     const Camera camera = choose(mesh).camera;
     EXPECT_GT(camera.eye.z, 0.0f);
     EXPECT_TRUE(showsSomething(mesh, camera));
+}
+
+/// Whether all corners are in the picture, and how much of its width or height they fill.
+void expectWhole(const Mesh& mesh, const Camera& camera, float aspect) {
+    const Framing framing(glm::dvec3(camera.target) - glm::dvec3(camera.eye), camera.up,
+                          camera.verticalFov, aspect);
+    double fills = 0.0;
+    for (const glm::vec3& p : mesh.positions) {
+        const glm::dvec3 way = glm::dvec3(p) - glm::dvec3(camera.eye);
+        ASSERT_TRUE(framing.contains(p, camera.eye));
+        const double depth = glm::dot(way, framing.forward);
+        fills = std::max({fills, std::abs(glm::dot(way, framing.right)) / (depth * framing.wide),
+                          std::abs(glm::dot(way, framing.down)) / (depth * framing.tall)});
+    }
+    // Nine tenths; the axes are rounded to float, some 1e-7.
+    EXPECT_NEAR(fills, 0.9, 1e-5);
+}
+
+bool isInBox(const Mesh& mesh, glm::vec3 point) {
+    glm::vec3 low(INFINITY), high(-INFINITY);
+    for (const glm::vec3& p : mesh.positions)
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], p[axis]);
+            high[axis] = std::max(high[axis], p[axis]);
+        }
+    for (int axis = 0; axis < 3; ++axis)
+        if (point[axis] < low[axis] || point[axis] > high[axis]) return false;
+    return true;
+}
+
+TEST(AutoCamera, ShowsObjectsWholeFromOutside) {
+    for (const auto& [name, mesh] : objects())
+        for (float aspect : {0.25f, 8.0f}) {
+            SCOPED_TRACE(name);
+            CameraHints hints;
+            hints.aspect = aspect;
+            const Camera camera = choose(mesh, hints).camera;
+            EXPECT_FALSE(isInBox(mesh, camera.eye));
+            expectWhole(mesh, camera, aspect);
+        }
+}
+
+/// The camera's direction as seen from the model: x to the right, y up, z towards the viewer.
+glm::vec3 sideOf(const Mesh& mesh, const CameraHints& hints = {}) {
+    return -cameraBasis(choose(mesh, hints).camera).forward;
+}
+
+TEST(AutoCamera, ShowsObjectsFromInFrontAndSlightlyAbove) {
+    const glm::vec3 slightlyAbove = glm::normalize(glm::vec3(0, 1, 3));
+    for (const Mesh& mesh : {box(false), box(true), hollowBox(0.1f), hollowBox(0.001f), table(),
+                             ballInABall(), tree(), court(), sign(1), square(2, true)})
+        EXPECT_LT(glm::length(sideOf(mesh) - slightlyAbove), 1e-5f);
+}
+
+TEST(AutoCamera, ShowsWhatHasItsFrontElsewhereFromThere) {
+    EXPECT_LT(sideOf(sign(-1)).z, -0.9f);
+    EXPECT_LT(sideOf(labelsBehindABoard()).z, -0.9f);
+    EXPECT_LT(sideOf(square(2, false)).z, -0.9f);
+    EXPECT_GT(sideOf(square(0, true)).x, 0.9f);
+    EXPECT_LT(sideOf(square(0, false)).x, -0.9f);
+    // A floor or a ceiling from halfway above or below, and from in front.
+    EXPECT_LT(glm::length(sideOf(square(1, true)) - std::sqrt(0.5f) * glm::vec3(0, 1, 1)), 1e-5f);
+    EXPECT_LT(glm::length(sideOf(square(1, false)) - std::sqrt(0.5f) * glm::vec3(0, -1, 1)), 1e-5f);
+    // A long thing that points at the viewer, from its side.
+    Mesh rod;
+    addBox(rod, {-0.1f, -0.1f, -2}, {0.1f, 0.1f, 2}, false);
+    EXPECT_LT(std::abs(sideOf(rod).z), 0.75f);
+}
+
+TEST(AutoCamera, TakesZUpAsItIsTold) {
+    EXPECT_GT(sideOf(zUpHouse()).z, 0.5f); // as Y up, it lies on its back: not from below
+    CameraHints hints;
+    hints.up = {0, 0, 1};
+    const glm::vec3 side = sideOf(zUpHouse(), hints);
+    EXPECT_LT(side.y, -0.9f);
+    EXPECT_GT(side.z, 0.0f);
+}
+
+TEST(AutoCamera, LooksIntoRooms) {
+    for (const auto& [name, mesh] : rooms()) {
+        SCOPED_TRACE(name);
+        const Camera camera = choose(mesh).camera;
+        // The nearest surface before the lens shows its front: no wall is looked through.
+        const FrameGeometry geometry = makeFrameGeometry(mesh, camera, ViewMode::full);
+        Ray ray;
+        ray.direction = cameraBasis(camera).forward;
+        const Hit hit = closestHitBruteForce(geometry, ray);
+        ASSERT_TRUE(hit.found());
+        const Triangle& t = geometry.triangles[hit.primitive];
+        EXPECT_LT(glm::dot(glm::cross(t.b - t.a, t.c - t.a), ray.direction), 0.0f);
+    }
+    EXPECT_TRUE(isInBox(hall(), choose(hall()).camera.eye));
+    // Through the opening, or within.
+    EXPECT_GT(choose(openRoom(front)).camera.eye.z, -1.0f);
+    EXPECT_LT(choose(openRoom(back)).camera.eye.z, 1.0f);
+    EXPECT_LT(choose(openRoom(left)).camera.eye.x, 1.0f);
+}
+
+TEST(AutoCamera, LightsMostOfWhatItShows) {
+    for (const auto& models : {objects(), rooms()})
+        for (const auto& [name, mesh] : models) {
+            SCOPED_TRACE(name);
+            const auto [camera, light] = choose(mesh);
+            const FrameGeometry geometry = makeFrameGeometry(mesh, camera, ViewMode::full);
+            const CameraBasis basis = cameraBasis(camera);
+            int seen = 0, dark = 0;
+            for (int i = 0; i < 49; ++i) {
+                const float x = 0.15f * (float) (i % 7 - 3), y = 0.15f * (float) (i / 7 - 3);
+                Ray ray;
+                ray.direction = basis.forward + x * basis.right + y * basis.down;
+                const Hit hit = closestHitBruteForce(geometry, ray);
+                if (!hit.found()) continue;
+                ray.origin = hit.t * ray.direction;
+                ray.direction = geometry.frame.toGrid(light.position) - ray.origin;
+                ray.skip = hit.primitive;
+                const Hit between = closestHitBruteForce(geometry, ray);
+                ++seen;
+                dark += between.found() && between.t < 1.0f;
+            }
+            EXPECT_GT(seen, 0);
+            EXPECT_LE(2 * dark, seen);
+        }
+}
+
+TEST(AutoCamera, DoesNotDependOnThreads) {
+    for (const Mesh& mesh : {hall(), tree()}) {
+        const Standpoint one = choose(mesh);
+        for (unsigned threads : {2u, 7u}) {
+            ThreadPool pool(threads);
+            CpuBackend backend(pool);
+            const Standpoint other = chooseStandpoint(mesh, backend, {});
+            EXPECT_EQ(other.camera.eye, one.camera.eye);
+            EXPECT_EQ(other.camera.target, one.camera.target);
+            EXPECT_EQ(other.light.position, one.light.position);
+        }
+    }
+}
+
+TEST(AutoCamera, IsFiniteForEveryTriangle) {
+    const float inf = INFINITY;
+    for (float scale : {1e-25f, 1e-6f, 1.0f, 1e6f, 1e25f})
+        for (float far : {0.0f, 1.0f, 1e7f})
+            for (const std::array<glm::vec3, 3>& corners :
+                 {std::array<glm::vec3, 3>{glm::vec3(0), {1, 0, 0}, {0, 1, 0}}, // one triangle
+                  std::array<glm::vec3, 3>{glm::vec3(0), {1, 1, 1}, {2, 2, 2}}, // a line
+                  std::array<glm::vec3, 3>{glm::vec3(0), {0, 0, 1}, {0, 0, 2}}, // along the view
+                  std::array<glm::vec3, 3>{glm::vec3(0), glm::vec3(0), glm::vec3(0)}}) {
+                Mesh mesh;
+                for (const glm::vec3& p : corners)
+                    mesh.positions.push_back(scale * (p + glm::vec3(far)));
+                mesh.triangles = {{0, 1, 2}};
+                const Standpoint result = choose(mesh);
+                for (int axis = 0; axis < 3; ++axis) {
+                    EXPECT_LT(std::abs(result.camera.eye[axis]), inf);
+                    EXPECT_LT(std::abs(result.camera.target[axis]), inf);
+                    EXPECT_LT(std::abs(result.light.position[axis]), inf);
+                }
+                EXPECT_NE(result.camera.eye, result.camera.target);
+                EXPECT_NE(result.light.position, result.light.target);
+            }
 }
 
 TEST(AutoCamera, DoesNotDependOnTheUnitOfLength) {

@@ -1,0 +1,95 @@
+#include "core/frame/surface_views.h"
+
+#include "shaders/shared/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace dirt {
+
+namespace {
+
+constexpr size_t kSamples = 1024; ///< shares are right to a few hundredths
+
+glm::dvec3 areaVector(const Triangle& t) {
+    const glm::dvec3 a = t.a;
+    return 0.5 * glm::cross(glm::dvec3(t.b) - a, glm::dvec3(t.c) - a);
+}
+
+/// Looks back from the samples to each of \p ends, which are places or directions.
+std::vector<SurfaceView> look(std::span<const glm::dvec3> ends, bool isPlace,
+                              std::span<const SurfaceSample> samples, Tracer& tracer) {
+    std::vector<Ray> rays;
+    rays.reserve(ends.size() * samples.size());
+    for (const glm::dvec3& end : ends)
+        for (const SurfaceSample& sample : samples) {
+            Ray ray;
+            ray.origin = sample.point;
+            ray.direction = glm::vec3(isPlace ? end - glm::dvec3(sample.point) : end);
+            ray.skip = sample.triangle;
+            rays.push_back(ray);
+        }
+    const float reach = isPlace ? 1.0f : std::numeric_limits<float>::infinity();
+    const std::vector<float> maxT(rays.size(), reach);
+    std::vector<uint8_t> occluded(rays.size());
+    tracer.occluded(rays, maxT, occluded);
+
+    std::vector<SurfaceView> views(ends.size(), SurfaceView(samples.size(), Side::hidden));
+    size_t i = 0;
+    for (SurfaceView& view : views)
+        for (size_t s = 0; s < samples.size(); ++s, ++i) {
+            const double cosine = glm::dot(samples[s].normal, glm::dvec3(rays[i].direction));
+            if (!occluded[i] && cosine != 0.0) view[s] = cosine > 0.0 ? Side::front : Side::back;
+        }
+    return views;
+}
+
+} // namespace
+
+std::vector<SurfaceSample> sampleSurface(const Mesh& mesh, const FrameGeometry& geometry) {
+    std::vector<double> until; // area of the triangles up to each
+    until.reserve(geometry.triangles.size());
+    double area = 0.0;
+    for (const Triangle& t : geometry.triangles)
+        until.push_back(area += glm::length(areaVector(t)));
+    std::vector<SurfaceSample> samples;
+    if (area == 0.0) return samples;
+    for (size_t i = 0; i < kSamples; ++i) {
+        const double share = area * ((double) i + 0.5) / (double) kSamples;
+        const auto found = std::upper_bound(until.begin(), until.end(), share);
+        const uint32_t id = (uint32_t) (found - until.begin());
+        const Triangle& t = geometry.triangles[id];
+        // Uniform over the triangle: lines of equal distance from a by the root.
+        const double away = std::sqrt(randomUnit((uint32_t) i, 0, 0, 0, 0));
+        const double along = randomUnit((uint32_t) i, 0, 0, 1, 0);
+        const glm::dvec3 a = t.a, b = t.b, c = t.c;
+        const glm::dvec3 point = a + away * ((b - a) + along * (c - b));
+        samples.push_back({glm::vec3(point), glm::normalize(areaVector(t)), id,
+                           mesh.materials.empty() ? 0 : mesh.materials[id]});
+    }
+    return samples;
+}
+
+double shareOf(const SurfaceView& view, Side side) {
+    if (view.empty()) return 0.0;
+    return (double) std::count(view.begin(), view.end(), side) / (double) view.size();
+}
+
+double shareSeen(const SurfaceView& view) {
+    return 1.0 - shareOf(view, Side::hidden);
+}
+
+std::vector<SurfaceView> viewsFrom(std::span<const glm::dvec3> directions,
+                                   std::span<const SurfaceSample> samples, Tracer& tracer) {
+    return look(directions, false, samples, tracer);
+}
+
+std::vector<SurfaceView> viewsAt(std::span<const glm::dvec3> places,
+                                 std::span<const SurfaceSample> samples, Tracer& tracer) {
+    return look(places, true, samples, tracer);
+}
+
+} // namespace dirt
