@@ -174,7 +174,7 @@ std::vector<RequirementReason> explain(const Requirements& need, const Scene& sc
         {"normal maps", need.normalMaps, ofTextured(isMapped)},
         {"texture factors", need.textureFactors, ofTextured(isTexturedByFactor)},
         {"texture transforms", need.textureTransforms, ofTextures(isTransformed)},
-        {"textures that do not repeat", need.textureWraps, ofTextures(isWrapped)},
+        {"texture borders", need.textureWraps, ofTextures(isWrapped)},
         {"vertex colours", need.vertexColors,
          need.vertexColors ? "the scene has some" : "the scene has none"},
         {"cut-outs", need.cutOuts, share(countMaterials(scene, isCutOut), materials, "materials")},

@@ -93,14 +93,14 @@ TEST(SurfaceRequirements, OfTexturesAreOfThoseThatAreUsed) {
                 if (used) s.materials[0].diffuseMap = 1;
             });
         };
-        EXPECT_EQ(sampled(clamp), used ? Names{"textures that do not repeat"} : Names());
+        EXPECT_EQ(sampled(clamp), used ? Names{"texture borders"} : Names());
         EXPECT_EQ(sampled(moved), used ? Names{"texture transforms"} : Names());
     }
     EXPECT_EQ(added([&](Scene& s) {
                   s.scalarTextures.push_back(s.scalarTextures[0].with(clamp));
                   s.materials[0].reflectanceMap = 1;
               }),
-              Names{"textures that do not repeat"});
+              Names{"texture borders"});
 }
 
 TEST(SurfaceRequirements, OfMapsNeedTextureCoordinates) {

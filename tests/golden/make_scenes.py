@@ -32,7 +32,6 @@ class Obj:
     def __init__(self, library):
         self.lines = ["mtllib " + library]
         self.counts = {"v": 0, "vt": 0, "vn": 0}
-        self.quad_colors = None  # of the corners of quads
 
     def add(self, kind, *numbers):
         self.lines.append(kind + "".join(f" {n:.6g}" for n in numbers))
@@ -44,10 +43,8 @@ class Obj:
 
     def quad(self, corner, u, v, repeat=1):
         vertices, coordinates = [], []
-        for i, (s, t) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
-            colors = self.quad_colors[i] if self.quad_colors else ()
-            place = (c + s * a + t * b for c, a, b in zip(corner, u, v))
-            vertices.append(self.add("v", *place, *colors))
+        for s, t in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            vertices.append(self.add("v", *(c + s * a + t * b for c, a, b in zip(corner, u, v))))
             coordinates.append(self.add("vt", s * repeat, t * repeat))
         self.lines.append("f" + "".join(f" {a}/{b}" for a, b in zip(vertices, coordinates)))
 
@@ -150,11 +147,9 @@ def cards():
 
 
 def maps():
-    """Maps of normals, roughness and metal, transforms, borders that continue, colours."""
+    """Maps of normals, roughness and metal, transforms, borders that continue."""
     obj = Obj("maps.mtl")
-    obj.quad_colors = ((1, 1, 1), (1, 0.8, 0.7), (0.7, 0.8, 1), (0.8, 1, 0.8))
     room(obj)
-    obj.quad_colors = None
     for i, name in enumerate(("pillows", "plates", "dents")):
         obj.use(name)
         obj.sphere((-1.25 + 1.25 * i, 0.45, -0.2), 0.45)
