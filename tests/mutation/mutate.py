@@ -48,11 +48,10 @@ TESTS = {
     "cpu": {"kSignDoubt": ["cpu_builder_test", "cpu_margins_test"],
             "kDepthMargin": ["cpu_builder_test", "cpu_margins_test"]},
     "gl": {"kSignDoubt": ["gl_build_test"], "kDepthMargin": ["gl_build_test"],
-           "kNeedle": ["gl_margins_test", "gl_passes_test"],
-           "kOffsetStep": ["gl_margins_test", "gl_passes_test"]},
+           "kRelativeErrorT": ["gl_trace_test"], "kFinality": ["gl_trace_test"]},
 }
 OTHERWISE = {"core": HITS, "cpu": ["cpu_tracer_test", "cpu_margins_test"],
-             "gl": ["gl_margins_test", "gl_trace_test"]}
+             "gl": ["gl_margins_test"]}
 
 # (margin, side, factor): why nothing has to notice.
 ROOM = {
