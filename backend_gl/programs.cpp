@@ -198,7 +198,8 @@ ProgramSource shadeSource(const PointFormat& format, bool secondary, bool emissi
          {"shade.comp"},
          {define("DIRT_SECONDARY", secondary), define("DIRT_EMISSION", emission),
           define("DIRT_BACKGROUND", background),
-          define("DIRT_LIGHT", light == LightShading::traced),
+          define("DIRT_LIGHT", light == LightShading::traced || light == LightShading::open),
+          define("DIRT_OPEN_LIGHT", light == LightShading::open),
           define("DIRT_SHADOW_MAP", light == LightShading::shadowMap), define("DIRT_GLOSS", gloss)},
          {}});
 }

@@ -22,7 +22,7 @@ enum class Proposal { rectangles, triangles };
 enum class Search { nearest, any, paths };
 
 /// How Shade knows whether the light reaches a point.
-enum class LightShading { none, traced, shadowMap };
+enum class LightShading { none, traced, shadowMap, open };
 
 /// How surfaces are fetched: what the scene has, and how its texels are stored.
 struct SurfaceVariant {

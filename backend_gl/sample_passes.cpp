@@ -148,6 +148,7 @@ void SamplePasses::shade(int event, const TriangleBuffer& triangles) {
     const bool background = need_.background && (event == 0 || mode_ == ViewMode::full);
     const LightShading light = need_.shadowMap > 0 ? LightShading::shadowMap
                                : need_.shadowRays  ? LightShading::traced
+                               : need_.openLight   ? LightShading::open
                                                    : LightShading::none;
     use(shadeSource(paths_.format(), event > 0, need_.emission, background, light, need_.gloss),
         parameters_.sampleIndex, event);

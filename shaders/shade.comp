@@ -51,7 +51,11 @@ void main() {
     precise vec3 arriving = throughput * passing;
     add(i, arriving);
 #elif DIRT_LIGHT
+#if DIRT_OPEN_LIGHT
+    if (!found) return;
+#else
     if (imageLoad(visibility, int(firstPixel + i)).x == 0u) return;
+#endif
     vec3 reflected = reflectedOfLight(i);
     precise vec3 arriving = throughput * reflected;
     add(i, arriving);

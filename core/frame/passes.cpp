@@ -252,6 +252,8 @@ void passShade(const FrameContext& frame, Executor& executor, int event,
                 paths.radiance[i] += throughput * frame.scene.background;
             if (frame.requirements.shadowRays && paths.visibility[i])
                 paths.radiance[i] += throughput * reflectedOfLight(frame, event, paths, i, *point);
+            if (frame.requirements.openLight && point->found())
+                paths.radiance[i] += throughput * reflectedOfLight(frame, event, paths, i, *point);
             if (frame.shadowMap && point->found())
                 paths.radiance[i] +=
                     throughput * litThroughMap(frame, event, shadowDepths, paths, i, *point);

@@ -104,8 +104,10 @@ Requirements requirementsOf(const Scene& scene, const RenderSettings& settings, 
     Requirements need;
     need.light = !scene.lights.empty() && settings.rayType != RayType::visibility;
     const bool mapped = settings.visibility == LightVisibility::shadowMap;
-    need.shadowRays = need.light && !mapped;
-    if (need.light && mapped) need.shadowMap = (uint32_t) scene.lights.front().resolution;
+    need.openLight = need.light && !scene.lights.front().shadows;
+    const bool shadows = need.light && !need.openLight;
+    need.shadowRays = shadows && !mapped;
+    if (shadows && mapped) need.shadowMap = (uint32_t) scene.lights.front().resolution;
     need.emission = countMaterials(scene, shines) > 0;
     need.background = !black(scene.background);
     const bool textured = !scene.mesh.texcoords.empty();
@@ -151,12 +153,16 @@ std::vector<RequirementReason> explain(const Requirements& need, const Scene& sc
                               : "the image shows visibility alone"},
         {"shadow rays", need.shadowRays,
          !need.light       ? "no light"
+         : need.openLight  ? "the light casts no shadows"
          : need.shadowRays ? "whether a point sees the light is traced"
                            : "the light has a shadow map"},
         {"shadow map", need.shadowMap > 0,
          need.shadowMap > 0
              ? "asked for: " + std::to_string(need.shadowMap) + " texels along a side"
-             : "not asked for"},
+         : need.openLight ? "the light casts no shadows"
+                          : "not asked for"},
+        {"light without shadows", need.openLight,
+         need.openLight ? "the scene asks for it" : "not asked for"},
         {"emission", need.emission, share(countMaterials(scene, shines), materials, "materials")},
         {"background", need.background,
          need.background ? "rays that miss see a radiance" : "rays that miss see black"},

@@ -15,6 +15,7 @@ struct Requirements {
     bool light = false;               ///< a spotlight
     bool shadowRays = false;          ///< whether it is seen is traced: visibility
     uint32_t shadowMap = 0;           ///< texels along a side of its shadow map; 0: it has none
+    bool openLight = false;           ///< the light casts no shadows: it needs neither
     bool emission = false;            ///< surfaces that shine
     bool background = false;          ///< radiance where nothing is hit
     bool diffuseTextures = false;     ///< reflectance from a map_Kd

@@ -55,6 +55,7 @@ constexpr SceneAttribute kHonoured[] = {
     {"light", "penumbra"},
     {"light", "spotlight_exponent"},
     {"light", "conical"},
+    {"light", "shadows"},
     {"light", "resolution"},
     {"light", "near_range"},
     {"light", "far_range"},
@@ -234,6 +235,7 @@ private:
 
         Spotlight light;
         light.conical = attributes.boolean("conical").value_or(light.conical);
+        light.shadows = attributes.boolean("shadows").value_or(light.shadows);
         light.flux = attributes.number("flux", 0.0, FLT_MAX).value_or(light.flux);
         light.color = attributes.colour("color").value_or(light.color);
         SceneFile::Points& points = scene_.points;

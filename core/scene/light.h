@@ -16,6 +16,7 @@ struct Spotlight {
     float penumbra = 80.0f; ///< full angle of the inner cone, degrees
     float exponent = 1.0f;
     bool conical = true; ///< false: a square frustum
+    bool shadows = true; ///< false: it reaches whatever faces it, as if nothing were between
 
     // Of its shadow map, where it has one.
     int resolution = 1024;       ///< texels along a side

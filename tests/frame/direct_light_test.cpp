@@ -112,6 +112,20 @@ TEST(DirectLight, ABlockerCastsAShadow) {
         }
     });
     EXPECT_GT(shadowed, 10);
+
+    // But where the light is to cast none: the floor is as lit as without it.
+    scene.lights[0].shadows = false;
+    const double intensity = scene.lights[0].flux / (2.0 * kPi * (1.0 - std::cos(kPi / 6.0)));
+    int lit = 0;
+    forEachPixel(scene, ViewMode::single, [&](glm::dvec3 point, glm::vec3 radiance) {
+        if (point.y != 0.0) return;
+        const glm::dvec3 away = glm::dvec3(scene.lights[0].position) - point;
+        const double distance = glm::length(away), cosine = away.y / distance;
+        if (cosine < std::cos(kPi / 6.0) + 1e-5) return;
+        EXPECT_NEAR(radiance.z / (intensity * cosine / (distance * distance) / kPi), 1.0, 1e-5);
+        ++lit;
+    });
+    EXPECT_GT(lit, shadowed + 100);
 }
 
 TEST(DirectLight, InterpolatedNormalsShade) {

@@ -110,6 +110,13 @@ TEST_F(SceneXml, ReadsTheLight) {
     EXPECT_EQ(scene.light->penumbra, 80.0f);
     EXPECT_EQ(scene.light->exponent, 2.0f);
     EXPECT_FALSE(scene.light->conical);
+    EXPECT_TRUE(scene.light->shadows);
+    EXPECT_FALSE(readWorld("<light shadows='off'/>").light->shadows);
+    EXPECT_TRUE(readWorld("<light shadows='on'/>").light->shadows);
+    EXPECT_NE(errorInWorld("<light shadows='soft'/>").find(":2: <light>: shadows="),
+              std::string::npos);
+    readWorld("<light shadow='off'/>");
+    EXPECT_EQ(report_.ignored(), std::vector<std::string>{"attribute shadow of <light>"});
 
     const Spotlight light = *readWorld("<light resolution='2048' near_range='0.5' far_range='20'\n"
                                        " constant_bias='0.002' soft_shadow_size='0.1'/>")
