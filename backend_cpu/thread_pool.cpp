@@ -3,12 +3,22 @@
 #include "core/grid/denormals.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dirt {
 
-ThreadPool::ThreadPool(unsigned threads) {
+std::thread ThreadPool::startThread(std::function<void()> run) {
+    return std::thread(std::move(run));
+}
+
+ThreadPool::ThreadPool(unsigned threads, const Start& start) {
     if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-    for (unsigned i = 1; i < threads; ++i) workers_.emplace_back([this] { work(); });
+    workers_.reserve(threads - 1);
+    try {
+        while (this->threads() < threads) workers_.push_back(start([this] { work(); }));
+    } catch (const std::exception&) { // no more processes or memory are allowed
+        missing_ = threads - this->threads();
+    }
 }
 
 ThreadPool::~ThreadPool() {

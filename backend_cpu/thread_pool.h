@@ -5,6 +5,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -15,8 +16,12 @@ namespace dirt {
 /// Denormals are flushed while a piece runs (G7).
 class ThreadPool final : public Executor {
 public:
-    /// \p threads at least 1; 0 takes as many as the machine has.
-    explicit ThreadPool(unsigned threads = 0);
+    /// Makes a thread; throws where there cannot be one more.
+    using Start = std::function<std::thread(std::function<void()>)>;
+
+    /// \p threads at least 1; 0 takes as many as the machine has. Where one cannot be made, those
+    /// there are do the work.
+    explicit ThreadPool(unsigned threads = 0, const Start& start = startThread);
     ~ThreadPool() override;
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
@@ -25,6 +30,8 @@ public:
     void forRange(size_t count, size_t grain,
                   const std::function<void(size_t begin, size_t end)>& body) override;
     unsigned threads() const override { return (unsigned) workers_.size() + 1; }
+    /// How many threads could not be made.
+    unsigned missing() const { return missing_; }
 
 private:
     struct Loop {
@@ -33,10 +40,12 @@ private:
         std::atomic<size_t> next{0};
         std::exception_ptr error;
     };
+    static std::thread startThread(std::function<void()> run);
     void work();
     void runPieces();
 
     std::vector<std::thread> workers_;
+    unsigned missing_ = 0;
     std::mutex mutex_;
     std::condition_variable start_, done_;
     Loop loop_;

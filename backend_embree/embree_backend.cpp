@@ -7,7 +7,10 @@
 #include <atomic>
 #include <cstring>
 #include <limits>
+#include <mutex>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 namespace dirt {
 
@@ -22,6 +25,23 @@ Ray withoutDenormals(Ray ray) {
         ray.direction[i] = flushed(ray.direction[i]);
     }
     return ray;
+}
+
+/// How many of \p wanted threads can be made besides those there are: Embree's library ends the
+/// program where it gets fewer than it was told.
+unsigned possibleThreads(unsigned wanted) {
+    std::vector<std::thread> threads;
+    std::mutex held; // until all are there
+    std::unique_lock lock(held);
+    try {
+        threads.reserve(wanted);
+        while (threads.size() < wanted)
+            threads.emplace_back([&held] { const std::lock_guard wait(held); });
+    } catch (const std::exception&) { // no more are allowed
+    }
+    lock.unlock();
+    for (std::thread& thread : threads) thread.join();
+    return (unsigned) threads.size();
 }
 
 RTCRay toEmbree(const Ray& ray, float tfar) {
@@ -57,7 +77,9 @@ EmbreeBackend::EmbreeBackend(Executor& executor, bool robust, EmbreeDecision dec
                              EmbreeQuality quality)
     : HostBackend(executor), robust_(robust), decision_(decision), quality_(quality),
       state_(std::make_unique<State>()) {
-    const std::string config = "threads=" + std::to_string(executor.threads());
+    const unsigned threads = possibleThreads(executor.threads());
+    if (threads == 0) throw CapabilityError("Embree needs a thread, and none can be made");
+    const std::string config = "threads=" + std::to_string(threads);
     state_->device = rtcNewDevice(config.c_str());
     if (!state_->device) throw CapabilityError("Embree does not start on this machine");
     rtcSetDeviceErrorFunction(

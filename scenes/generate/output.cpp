@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <future>
 #include <span>
+#include <system_error>
 
 namespace dirt::generate {
 namespace {
@@ -176,9 +177,14 @@ std::vector<fs::path> writeModel(const Model& model, const std::string& name,
     const auto paint = [&](const TextureRecipe& recipe, const std::string& file) {
         if (!recipe.paint) return;
         const int size = recipe.size / reduction;
-        painters.push_back(std::async(std::launch::async, [&recipe, size, path = place(file)] {
+        const auto write = [&recipe, size, path = place(file)] {
             writeTexture(recipe, size, path);
-        }));
+        };
+        try {
+            painters.push_back(std::async(std::launch::async, write));
+        } catch (const std::system_error&) { // there cannot be one more thread: it is done below
+            painters.push_back(std::async(std::launch::deferred, write));
+        }
     };
     for (const MaterialRecipe& material : model.materials) {
         paint(material.texture, textureName(name, material));

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace dirt {
@@ -19,6 +21,26 @@ TEST(ThreadPool, CoversEachIndexOnce) {
             });
             EXPECT_EQ(seen, std::vector<int>(count, 1));
         }
+    }
+}
+
+TEST(ThreadPool, GoesOnWithTheThreadsThereAre) {
+    for (const unsigned possible : {0u, 1u, 5u, 6u}) {
+        unsigned made = 0;
+        ThreadPool pool(7, [&](std::function<void()> run) {
+            if (made == possible)
+                throw std::system_error(
+                    std::make_error_code(std::errc::resource_unavailable_try_again));
+            ++made;
+            return std::thread(std::move(run));
+        });
+        EXPECT_EQ(pool.threads(), possible + 1);
+        EXPECT_EQ(pool.missing(), 6 - possible);
+        std::vector<int> seen(1000, 0);
+        pool.forRange(seen.size(), 16, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) ++seen[i];
+        });
+        EXPECT_EQ(seen, std::vector<int>(1000, 1));
     }
 }
 
