@@ -3,6 +3,7 @@
 #include "app/cli/json_report.h"
 #include "app/cli/option_values.h"
 #include "core/io/error.h"
+#include "core/io/input_files.h"
 #include "core/io/output_file.h"
 
 #ifdef DIRT_HAVE_EMBREE
@@ -12,8 +13,11 @@
 #include "scenes/generate/generate.h"
 #endif
 
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 
@@ -31,11 +35,15 @@ struct ScalingCommand {
 
 #ifdef DIRT_HAVE_EMBREE
 
-/// A sub-folder of the output folder, removed in the end, for scenes that serve only to be timed.
+/// A new sub-folder of the output folder, removed in the end, for scenes that serve only to be
+/// timed.
 class Workshop {
 public:
-    explicit Workshop(const std::filesystem::path& directory) : path_(directory / "scenes") {
-        std::filesystem::create_directories(path_);
+    explicit Workshop(const std::filesystem::path& directory) {
+        std::string name = (directory / "scenes-XXXXXX").string();
+        if (!mkdtemp(name.data()))
+            throw InputError(name + ": cannot make this folder: " + std::strerror(errno));
+        path_ = name;
     }
     ~Workshop() {
         std::error_code ignored;
@@ -113,6 +121,7 @@ void runScaling(const ScalingCommand& command) {
 
     const Workshop workshop(directory);
     const auto measure = [&](double detail, const std::vector<ImageSize>& sizes) {
+        const InputFiles ofThisScene; // the next one takes its place
         generateScene("atrium", detail, workshop.path());
         CommonOptions common = command.common;
         common.scene = (workshop.path() / "atrium.scene").string();

@@ -3,6 +3,7 @@
 #include "app/cli/json_report.h"
 #include "app/cli/option_values.h"
 #include "core/io/error.h"
+#include "core/io/input_files.h"
 #include "core/io/output_file.h"
 
 #ifdef DIRT_HAVE_EMBREE
@@ -139,12 +140,22 @@ void printTable(std::FILE* file, const TradeoffReport& report) {
     std::fflush(file);
 }
 
+/// Throws InputError where the folder cannot be written to, or one of its files whose names begin
+/// so, as the pictures and tables to come do, cannot be replaced.
+void checkFolder(const std::string& folder, const std::string& prefix) {
+    checkWritable((std::filesystem::path(folder) / (prefix + "tradeoff.json")).string());
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().filename().string().starts_with(prefix))
+            checkWritable(entry.path().string());
+}
+
 void runTradeoff(const TradeoffCommand& command) {
     const auto executor = makeExecutor(command.common);
     const Input input = openInput(command.common, *executor);
     std::filesystem::create_directories(command.directory);
     const std::string stem = (std::filesystem::path(command.directory) / input.scene.name).string();
-    checkWritable(stem + "-tradeoff.json");
+    if (!command.errors.empty()) noteInput(command.errors);
+    checkFolder(command.directory, input.scene.name + "-");
     Json json = headJson(input);
     TradeoffOptions options;
     options.rounds = command.rounds;
@@ -200,18 +211,20 @@ void addBenchTradeoff(CLI::App& bench, int& status) {
         ->required();
     addInteger(*command, "--rounds", 1, 1000, "measured, after one that is not (default: 9)",
                [options](int64_t n) { options->rounds = (int) n; });
-    addInteger(*command, "--error-spp", 1, 1 << 20,
-               "samples of the images whose error is taken (default: 64)",
-               [options](int64_t n) { options->samples = (int) n; });
-    addInteger(*command, "--reference-spp", 1, 1 << 20, "samples of the reference (default: 1024)",
-               [options](int64_t n) { options->referenceSamples = (int) n; });
-    command
-        ->add_option("--references", options->references,
-                     "folder that has the references, or is to keep them")
-        ->type_name("DIR");
+    CLI::Option* samples = addInteger(*command, "--error-spp", 1, 1 << 20,
+                                      "samples of the images whose error is taken (default: 64)",
+                                      [options](int64_t n) { options->samples = (int) n; });
+    CLI::Option* referenceSamples = addInteger(
+        *command, "--reference-spp", 1, 1 << 20, "samples of the reference (default: 1024)",
+        [options](int64_t n) { options->referenceSamples = (int) n; });
+    CLI::Option* references = command
+                                  ->add_option("--references", options->references,
+                                               "folder that has the references, or is to keep them")
+                                  ->type_name("DIR");
     command
         ->add_option("--errors", options->errors, "take the errors from the JSON of an earlier run")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->excludes(samples, referenceSamples, references);
     command->add_flag("--json", options->json, "print one JSON object on standard output");
     command->callback([options, &status] {
         runTradeoff(*options);

@@ -1,11 +1,12 @@
 #include "app/cli/commands.h"
+#include "app/cli/input.h"
 #include "app/cli/json_report.h"
-#include "backend_cpu/thread_pool.h"
 #include "core/compare/colour.h"
 #include "core/compare/colour_map.h"
 #include "core/compare/differences.h"
 #include "core/compare/flip.h"
 #include "core/io/error.h"
+#include "core/io/input_files.h"
 #include "core/io/output_file.h"
 
 #include <algorithm>
@@ -67,9 +68,9 @@ Comparison compare(const Image& image, const Image& reference, ImageFormat forma
     result.differences = differencesOf(image, reference);
     result.nonFinite = countNonFinite(image);
     result.nonFiniteReference = countNonFinite(reference);
-    ThreadPool executor;
+    const auto executor = makeExecutor({});
     const auto [a, b] = flipInput(image, reference, format);
-    result.flip = format == ImageFormat::png ? flip(a, b, executor) : hdrFlip(a, b, executor);
+    result.flip = format == ImageFormat::png ? flip(a, b, *executor) : hdrFlip(a, b, *executor);
     for (size_t i = 0; i < image.pixels.size(); ++i)
         if (isFinite(image.pixels[i]) && isFinite(reference.pixels[i]))
             result.meanFlip += result.flip.values[i];
@@ -140,6 +141,8 @@ void print(const CompareOptions& options, const Image& image, const Comparison& 
 /// Whether all pixels could be compared.
 bool runCompare(const CompareOptions& options) {
     const ImageFormat format = formatOf(options);
+    noteInput(options.image);
+    noteInput(options.reference);
     if (!options.diff.empty()) {
         if (imageFormat(options.diff) != ImageFormat::png)
             throw InputError(options.diff + ": the picture of --diff has to end in .png");

@@ -8,14 +8,15 @@
 #include "core/frame/memory_plan.h"
 #include "core/frame/renderer.h"
 #include "core/io/error.h"
+#include "core/io/input_files.h"
 #include "core/io/output_file.h"
+#include "core/io/text_file.h"
 #include "core/path/shadow_map.h"
 #include "core/path/spotlight.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,20 +68,58 @@ void makeFolder(const std::string& folder) {
                          (error ? ": " + error.message() : ""));
 }
 
-/// Removes the files of an earlier dump to \p folder, which would stand beside a manifest that does
-/// not know them; its manifest first, so that none stands beside other files.
-void removeEarlierDump(const std::string& folder) {
-    const std::filesystem::path manifest = std::filesystem::path(folder) / "manifest.json";
-    std::ifstream in(manifest);
-    const Json json = Json::parse(in, nullptr, false);
-    if (!json.is_object() || !json.contains("files")) return;
-    std::error_code ignored;
-    std::filesystem::remove(manifest, ignored);
-    for (const Json& file : json["files"]) {
-        const std::filesystem::path name = file.value("file", std::string());
-        if (name.extension() == ".exr" && name == name.filename())
-            std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
+std::string manifestOf(const std::string& folder) {
+    return (std::filesystem::path(folder) / "manifest.json").string();
+}
+
+/// Whether a manifest is a dump's: other programs' files have that name, too.
+bool isDump(const Json& manifest) {
+    const auto isText = [](const Json& json, const char* key) {
+        return json.is_object() && json.contains(key) && json[key].is_string();
+    };
+    if (!isText(manifest, "backend") || !manifest.contains("files") ||
+        !manifest["files"].is_array())
+        return false;
+    const Json& files = manifest["files"];
+    return std::all_of(files.begin(), files.end(), [&](const Json& file) {
+        return isText(file, "file") && isText(file, "buffer");
+    });
+}
+
+/// checkWritable for one of thousands of names in a folder that can be written to.
+void checkFile(const std::string& file) {
+    std::error_code error;
+    if (std::filesystem::exists(std::filesystem::symlink_status(file, error)) ||
+        inputUseOf(file) != InputFiles::Use::none)
+        checkWritable(file);
+}
+
+/// Throws InputError where one of the files of a dump to \p folder cannot be written, or would
+/// take the place of what is no dump's.
+void checkFolder(const std::string& folder, const Selection& wanted, int bounces) {
+    if (!std::filesystem::exists(folder)) return;
+    const std::string manifest = manifestOf(folder);
+    checkWritable(manifest);
+    if (std::filesystem::exists(manifest) &&
+        !isDump(Json::parse(readOwnBytes(manifest), nullptr, false)))
+        throw InputError(manifest + ": cannot write: it is not of dirt dump, and would be lost");
+    for (const std::string& buffer : kBuffers) {
+        if (!wanted.has(buffer.c_str())) continue;
+        checkFile(folder + "/" + buffer + ".exr");
+        for (int event = 0; event < bounces; ++event)
+            checkFile(folder + "/" + buffer + "." + std::to_string(event) + ".exr");
     }
+}
+
+/// Of buffers that were asked for by name and that the frame does not have.
+void noteMissing(const std::vector<std::string>& asked, const std::vector<DumpedFile>& files) {
+    std::string missing;
+    for (const std::string& name : asked)
+        if (std::none_of(files.begin(), files.end(),
+                         [&](const DumpedFile& file) { return file.buffer == name; }))
+            missing += (missing.empty() ? "" : ",") + name;
+    if (!missing.empty())
+        std::fprintf(stderr, "dirt: warning: --buffers %s: this frame has none\n", missing.c_str());
 }
 
 /// Throws InputError where the buffers, their copy and the largest file, twice while it is being
@@ -201,7 +240,6 @@ void dumpEvent(const PathBuffers& paths, int event, bool traced, const Selection
 int runDump(const DumpOptions& options) {
     const Selection wanted(options.buffers);
     const auto executor = makeExecutor(options.common);
-    if (options.common.samples) throw InputError("--spp: a dump is of the first sample alone");
     Input input = openInput(options.common, *executor);
     input.settings.samples = 1;
     if (options.event && *options.event >= input.settings.bounces)
@@ -210,8 +248,11 @@ int runDump(const DumpOptions& options) {
                          std::to_string(input.settings.bounces - 1));
     checkDumpMemory(input);
     const auto backend = makeBackend(options.common, *executor);
+    checkFolder(options.folder, wanted, input.settings.bounces);
     makeFolder(options.folder);
-    removeEarlierDump(options.folder);
+    // So that none stands beside files that it does not know.
+    std::error_code ignored;
+    std::filesystem::remove(manifestOf(options.folder), ignored);
 
     const GridSettings& grid = input.settings.grid;
     Dump dump(options.folder, grid.width, grid.height,
@@ -239,16 +280,17 @@ int runDump(const DumpOptions& options) {
     const RenderResult result = renderer.render(hooks);
     if (result.samples == 0) {
         std::fprintf(stderr, "dirt: stopped; no manifest written\n");
-        return kInterrupted;
+        return interruptStatus();
     }
 
     const std::string text =
         manifest(input, *backend, *executor, result, dump.files()).dump(2) + "\n";
-    writeFile(options.folder + "/manifest.json", text);
+    writeFile(manifestOf(options.folder), text);
     if (options.json) std::fputs(text.c_str(), stdout);
-    if (!options.common.quiet)
-        for (const DumpedFile& file : dump.files())
-            std::fprintf(stderr, "%s/%s\n", options.folder.c_str(), file.file.c_str());
+    if (options.common.quiet) return 0;
+    noteMissing(options.buffers, dump.files());
+    for (const DumpedFile& file : dump.files())
+        std::fprintf(stderr, "%s/%s\n", options.folder.c_str(), file.file.c_str());
     return 0;
 }
 

@@ -2,18 +2,20 @@
 
 namespace dirt {
 
-/// Exit status of a command that Ctrl-C has stopped.
-inline constexpr int kInterrupted = 130;
-
-/// From now on Ctrl-C ends the program with that status; a file that is being written is first
-/// finished (see exitBetweenFiles).
+/// From now on Ctrl-C, SIGTERM and SIGHUP end the program with status 128 + the signal's number
+/// (130, 143, 129), and a pipe that nobody reads any more with 141; a file that is being written is
+/// first finished (see exitBetweenFiles). SIGHUP and SIGTERM stay ignored where they are (nohup).
 void exitOnInterrupt();
 
-/// From now on the first Ctrl-C only makes interrupted() true, so that a command can write what it
-/// has; the second ends the program as above.
+/// From now on the first of Ctrl-C, SIGTERM and SIGHUP only makes interrupted() true, so that a
+/// command can write what it has; the second ends the program as above. A pipe that nobody reads
+/// ends nothing: what counts goes to files.
 void catchInterrupts();
 
-/// Whether Ctrl-C was pressed.
+/// Whether one of the signals has come.
 bool interrupted();
+
+/// The status to exit with after it.
+int interruptStatus();
 
 } // namespace dirt

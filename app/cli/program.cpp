@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "core/io/error.h"
+#include "core/io/input_files.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -16,6 +17,9 @@
 namespace dirt {
 
 namespace {
+
+/// As where the signal ends the program.
+constexpr int kBrokenPipe = 141;
 
 enum ExitStatus { kDone = 0, kBadInput = 2, kMissingCapability = 3 };
 
@@ -42,6 +46,7 @@ std::string describe(const CLI::App& program, const CLI::ParseError& error) {
 }
 
 int run(int argc, const char* const* argv) {
+    InputFiles inputs; // from here on none is written over
     CLI::App program("Deferred Image-based Ray Tracing: the reference implementation", "dirt");
     program.set_version_flag("--version", "dirt " DIRT_VERSION);
     program.require_subcommand(0, 1);
@@ -85,6 +90,7 @@ int runProgram(int argc, const char* const* argv) {
     const int status = run(argc, argv);
     // A full disk may show only now.
     const bool flushed = std::fflush(stdout) == 0;
+    if (!flushed && errno == EPIPE) return kBrokenPipe; // whoever read it has what he wanted
     if ((!flushed || std::ferror(stdout)) && status == kDone)
         return fail(kBadInput, std::string("standard output: cannot write: ") +
                                    std::strerror(errno != 0 ? errno : EIO));

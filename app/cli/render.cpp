@@ -8,6 +8,7 @@
 #include "core/frame/renderer.h"
 #include "core/io/error.h"
 #include "core/io/image.h"
+#include "core/io/input_files.h"
 #include "core/io/output_file.h"
 #include "core/path/tone_mapping.h"
 
@@ -46,6 +47,14 @@ std::string numbered(const std::string& path, int frame) {
     return (file.parent_path() / file.stem()).string() + number + file.extension().string();
 }
 
+/// A picture's name that stands for nothing else: NAME-render.png, or the like.
+std::string freeName(const std::string& name) {
+    std::string free = name + "-render.png";
+    for (int i = 2; std::filesystem::exists(free); ++i)
+        free = name + "-render-" + std::to_string(i) + ".png";
+    return free;
+}
+
 void writeImage(const std::string& path, const Input& input, const RenderResult& result) {
     const Image& image = result.image;
     const ImageMetadata metadata = metadataOf(input, input.settings, result.samples);
@@ -81,8 +90,13 @@ public:
     int run() {
         checkOutputs();
         input_ = openInput(common_, *executor_);
+        output_ = options_.output.empty() ? input_.scene.name + ".png" : options_.output;
+        if (!options_.stats.empty()) checkWritable(options_.stats); // now that its inputs are known
         const FrameRange frames = options_.frames.value_or(FrameRange{input_.frame, input_.frame});
         checkFrames(frames);
+        if (options_.frames && input_.scene.animation.empty() && !common_.quiet)
+            std::fprintf(stderr,
+                         "dirt: warning: --frames: the scene does not move: all are alike\n");
         backend_ = makeBackend(common_, *executor_);
 
         catchInterrupts();
@@ -108,18 +122,27 @@ private:
         if (!options_.stats.empty()) checkWritable(options_.stats);
     }
 
+    /// The scene's name may be that of a texture beside it.
+    void checkPicture(const std::string& path) const {
+        if (options_.output.empty() && inputUseOf(path) != InputFiles::Use::none)
+            throw InputError(path + ": cannot write: " + common_.scene +
+                             " uses a file of this name; give the picture another, as in -o " +
+                             freeName(input_.scene.name));
+        checkWritable(path);
+        if (!options_.stats.empty() && isSamePlace(path, options_.stats))
+            throw InputError("--stats " + options_.stats + ": the picture is written there");
+    }
+
     /// That none will fail after the ones before it have been rendered.
     void checkFrames(const FrameRange& frames) {
         for (int k = frames.first; k <= frames.last; ++k) {
             if (k != input_.frame) moveInput(input_, common_, k, *executor_);
-            checkWritable(outputOf(k));
+            checkPicture(outputOf(k));
         }
     }
 
     std::string outputOf(int frame) const {
-        const std::string output =
-            options_.output.empty() ? input_.scene.name + ".png" : options_.output;
-        return options_.frames ? numbered(output, frame) : output;
+        return options_.frames ? numbered(output_, frame) : output_;
     }
 
     /// \p place: of the frame among \p count. Returns the exit status.
@@ -150,12 +173,13 @@ private:
             bar.clear();
             if (!common_.quiet) std::fprintf(stderr, "%s\n", outputOf(frame).c_str());
         }
-        if (written || !options_.frames)
+        if ((written || !options_.frames) && (options_.json || !options_.stats.empty()))
             reports_.push_back(report(input_, *backend_, *executor_, result));
-        return stopped ? kInterrupted : 0;
+        return stopped ? interruptStatus() : 0;
     }
 
     void writeReports() const {
+        if (!options_.json && options_.stats.empty()) return;
         const Json json = options_.frames ? Json{{"frames", reports_}} : reports_.front();
         const std::string text = json.dump(2) + "\n";
         if (!options_.stats.empty()) writeFile(options_.stats, text);
@@ -164,10 +188,11 @@ private:
 
     const RenderOptions& options_;
     const CommonOptions& common_;
+    std::string output_; ///< numbered where there are several frames
     std::unique_ptr<Executor> executor_;
     std::unique_ptr<Backend> backend_;
     Input input_;
-    std::vector<Json> reports_; ///< of each frame
+    std::vector<Json> reports_; ///< of each frame, where they are asked for
 };
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "core/io/find_file.h"
 
+#include "core/io/input_files.h"
+
 #include <algorithm>
 #include <string>
 #include <system_error>
@@ -30,13 +32,22 @@ std::optional<fs::path> findEntry(const fs::path& folder, const fs::path& part) 
     return folder / *best;
 }
 
-} // namespace
-
-std::optional<fs::path> findFile(const fs::path& folder, std::string_view name) {
+fs::path pathOf(std::string_view name) {
     std::string slashed(name);
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
-    const fs::path wanted = fs::path(slashed).lexically_normal();
+    return fs::path(slashed).lexically_normal();
+}
+
+} // namespace
+
+void noteNamedFile(const fs::path& folder, std::string_view name) {
+    noteInput(folder / pathOf(name));
+}
+
+std::optional<fs::path> findFile(const fs::path& folder, std::string_view name) {
+    const fs::path wanted = pathOf(name);
     if (wanted.empty()) return std::nullopt;
+    noteInput(folder / wanted);
 
     std::error_code error;
     fs::path path = wanted.is_absolute() ? wanted.root_path() : folder;

@@ -1,6 +1,9 @@
 #include "core/io/model.h"
 
+#include "core/io/find_file.h"
 #include "core/io/obj_cache.h"
+
+#include <utility>
 
 namespace dirt {
 
@@ -18,6 +21,13 @@ bool isGltf(const std::filesystem::path& file) {
     return extension == ".gltf" || extension == ".glb";
 }
 
+/// Images that no material uses are the user's all the same.
+GltfFile noteImages(GltfFile gltf) {
+    for (const GltfFile::Image& image : gltf.images)
+        if (!image.bytes) noteNamedFile(gltf.file.parent_path(), image.label);
+    return gltf;
+}
+
 } // namespace
 
 bool isModelFile(const std::filesystem::path& file) {
@@ -27,7 +37,7 @@ bool isModelFile(const std::filesystem::path& file) {
 Model readModel(const std::filesystem::path& file, bool cache) {
     Model model;
     if (isGltf(file))
-        model.file = readGltf(file, model.report);
+        model.file = noteImages(readGltf(file, model.report));
     else
         model.file = cache ? readObjCached(file, model.report) : readObj(file, model.report);
     return model;

@@ -1,5 +1,6 @@
 #include "core/io/mtl.h"
 
+#include "core/io/find_file.h"
 #include "core/io/mtl_map_options.h"
 #include "core/io/number.h"
 #include "core/io/text_file.h"
@@ -80,10 +81,19 @@ private:
         } else if (equalButForCase(key, "illum")) {
             illumination(arguments);
         } else if (const MapKey* mapKey = find(kMaps, key)) {
+            note(arguments);
             map(*mapKey, arguments);
         } else {
+            note(arguments);
             ignore(std::string(key));
         }
+    }
+
+    /// Whatever a statement may name as a file, behind its options or with blanks in its name.
+    void note(std::string_view arguments) {
+        noteNamedFile(result_.file.parent_path(), arguments);
+        noteNamedFile(result_.file.parent_path(),
+                      arguments.substr(arguments.find_last_of(" \t") + 1));
     }
 
     void ignore(std::string what) {

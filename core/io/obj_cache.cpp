@@ -2,6 +2,7 @@
 
 #include "core/io/content_hash.h"
 #include "core/io/error.h"
+#include "core/io/input_files.h"
 #include "core/io/output_file.h"
 #include "core/io/text_file.h"
 
@@ -9,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <type_traits>
 
 namespace dirt {
@@ -195,14 +197,27 @@ bool isWritable(fs::path folder) {
            !error;
 }
 
+/// Whether something is there that no cache is, and must stay.
+bool isForeign(const fs::path& place) {
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(place, error))) return false;
+    if (!fs::is_regular_file(place, error)) return true;
+    const Header header;
+    char magic[sizeof header.magic] = {};
+    std::ifstream file(place, std::ios::binary);
+    file.read(magic, sizeof magic);
+    return file.gcount() > 0 && std::memcmp(magic, header.magic, sizeof magic) != 0;
+}
+
 /// In the first place that takes it; else not at all.
 void keepCache(const std::vector<fs::path>& places, const std::string& cache) {
     for (const fs::path& place : places) {
-        if (!isWritable(place.parent_path())) continue;
+        if (!isWritable(place.parent_path()) || isForeign(place)) continue;
         std::error_code error;
         if (&place != &places.front()) fs::create_directories(place.parent_path(), error);
         try {
-            return writeFile(place.string(), cache);
+            writeFile(place.string(), cache);
+            return noteInput(place);
         } catch (const InputError&) { // a full disk, a folder of that name
         }
     }
@@ -215,8 +230,11 @@ std::optional<ReadObj> findCache(const std::vector<fs::path>& places,
         std::error_code error;
         if (!fs::is_regular_file(place, error)) continue;
         try {
-            const std::string bytes = readBytes(place);
-            if (auto read = decodeCache(std::as_bytes(std::span(bytes)), source, file)) return read;
+            const std::string bytes = readOwnBytes(place);
+            if (auto read = decodeCache(std::as_bytes(std::span(bytes)), source, file)) {
+                noteInput(place);
+                return read;
+            }
         } catch (const InputError&) { // it cannot be read
         }
     }

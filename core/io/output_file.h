@@ -7,12 +7,18 @@
 
 namespace dirt {
 
-/// A file that appears whole or not at all: it is written under a temporary name in the same
-/// folder, flushed to the disk, then renamed. Whatever fails throws InputError "path: why not", and
-/// leaves what was at the path before untouched. Refuses to replace what is not a regular file.
+/// A file that appears whole or not at all: it is written in the same folder without a name, which
+/// the system removes whatever ends the process, flushed to the disk, then takes its place. An old
+/// file's mode stays, and a symbolic link, whose target is written. Whatever fails throws
+/// InputError "path: why not", and leaves what was at the path before untouched. Refuses to replace
+/// what is not a regular file, is write-protected, or is an input of the run (see InputFiles).
 class OutputFile {
 public:
-    explicit OutputFile(const std::string& path);
+    /// What it is while it is written. Named: for file systems that know no unnamed files; what
+    /// SIGKILL leaves of one is removed when the same file is written again.
+    enum class Temporary { unnamed, named };
+
+    explicit OutputFile(const std::string& path, Temporary temporary = Temporary::unnamed);
     /// Removes what was written, but after takePlace().
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
@@ -29,11 +35,17 @@ private:
         ~ExitDelay();
     };
 
+    void checkPlace() const;
+    bool openUnnamed();
+    void openNamed();
+    void keepMode() const;
+    void nameUnnamed();
+
     ExitDelay delay_; // the first, and so the last to go
-    std::string path_;
-    std::filesystem::path temporary_;
+    std::string path_;                ///< as given
+    std::filesystem::path target_;    ///< where a link at the path leads
+    std::filesystem::path temporary_; ///< empty: the file has no name
     int descriptor_ = -1;
-    bool renamed_ = false;
 };
 
 /// Writes \p bytes as an OutputFile.

@@ -1,5 +1,6 @@
 #include "core/io/text_file.h"
 
+#include "core/io/input_files.h"
 #include "core/io/load_report.h"
 
 #include <algorithm>
@@ -12,6 +13,11 @@
 namespace dirt {
 
 std::string readBytes(const std::filesystem::path& file) {
+    noteInput(file);
+    return readOwnBytes(file);
+}
+
+std::string readOwnBytes(const std::filesystem::path& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status)) failAt(file, 0, "no such file");

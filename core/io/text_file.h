@@ -7,8 +7,11 @@
 
 namespace dirt {
 
-/// The bytes of a file. Throws InputError where it cannot be read.
+/// The bytes of a file, which is noted as an input. Throws InputError where it cannot be read.
 std::string readBytes(const std::filesystem::path& file);
+
+/// The same for a file that the program keeps for itself, and may write again: it is not noted.
+std::string readOwnBytes(const std::filesystem::path& file);
 
 /// \p bytes, which \p file holds, without a UTF-8 byte order mark. Throws InputError where they are
 /// UTF-16 or hold NUL bytes.

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 using namespace dirt::test;
@@ -46,11 +48,13 @@ TEST(Scaling, FitsTheExponentOfAPower) {
 /// Of a small picture, with \p more options.
 Outcome tradeoff(const std::string& output, const std::vector<std::string>& more) {
     std::vector<std::string> arguments{
-        "bench",  "tradeoff",    DIRT_SOURCE_DIR "/scenes/cornell.scene",
-        "--size", "32x16",       "--rounds",
-        "1",      "--error-spp", "2",
-        "--json", "--quiet",     "--reference-spp",
-        "4",      "-o",          output};
+        "bench",  "tradeoff", DIRT_SOURCE_DIR "/scenes/cornell.scene",
+        "--size", "32x16",    "--rounds",
+        "1",      "--json",   "--quiet",
+        "-o",     output};
+    // Known errors have their samples.
+    if (std::find(more.begin(), more.end(), "--errors") == more.end())
+        arguments.insert(arguments.end(), {"--error-spp", "2", "--reference-spp", "4"});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return dirt::test::dirt(arguments);
 }
@@ -163,6 +167,7 @@ TEST(BenchTradeoff, TakesErrorsApartFromTimes) {
     refuses("its camera is ", {"--errors", known, "--eye=0,1,2"});
     refuses("is not the JSON of", {"--errors", folder.write("a.json", "{\"scene\": ")});
     refuses("is not the JSON of", {"--errors", folder.write("b.json", "{}")});
+    refuses("--errors excludes --error-spp", {"--errors", known, "--error-spp", "3"});
     refuses("none.json", {"--errors", folder / "none.json"});
     json other = json::parse(readFile(known));
     other["points"].erase(3);

@@ -9,6 +9,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 namespace dirt::test {
 namespace {
@@ -92,8 +93,55 @@ TEST(DumpCommand, ReplacesAnEarlierDump) {
     ASSERT_EQ(dirt(dumpOf(folder, to, {"--primary", "traced"})).status, 0);
     folder.write("a/mine.exr", "not the dump's");
     ASSERT_EQ(dirt(dumpOf(folder, to, {"--buffers", "visibility", "--bounces", "1"})).status, 0);
-    EXPECT_EQ(filesIn(to),
-              (std::set<std::string>{"visibility.0.exr", "manifest.json", "mine.exr"}));
+    const json manifest = json::parse(readFile(to + "/manifest.json"));
+    ASSERT_EQ(manifest["files"].size(), 1u);
+    EXPECT_EQ(manifest["files"][0]["file"], "visibility.0.exr");
+    // What the earlier one wrote besides stays, like all else.
+    EXPECT_EQ(readFile(folder / "a/mine.exr"), "not the dump's");
+    EXPECT_TRUE(filesIn(to).contains("image.2.exr"));
+}
+
+TEST(DumpCommand, LeavesOthersFilesAlone) {
+    const TemporaryFolder folder;
+    folder.write("a/mine.exr", "mine");
+    const auto refused = [&](const std::string& manifest) {
+        const Outcome run = dirt(dumpOf(folder, folder / "a", {}));
+        EXPECT_EQ(run.status, 2);
+        EXPECT_NE(run.err.find("manifest.json: cannot write"), std::string::npos) << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+        EXPECT_EQ(filesIn(folder / "a"), (std::set<std::string>{"mine.exr", "manifest.json"}));
+        if (manifest.empty()) return;
+        EXPECT_EQ(readFile(folder / "a/manifest.json"), manifest);
+    };
+    for (const char* manifest :
+         {"{\"files\": [{\"file\": \"mine.exr\"}]}", "{\"name\": \"an app\"}", "[]", "no JSON", "{",
+          "{\"backend\": \"cpu\", \"files\": [{\"file\": \"mine.exr\"}]}",
+          "{\"backend\": 1, \"files\": []}", "{\"backend\": \"cpu\", \"files\": {}}"}) {
+        folder.write("a/manifest.json", manifest);
+        refused(manifest);
+    }
+    std::filesystem::remove(folder / "a/manifest.json");
+    mkfifo((folder / "a/manifest.json").c_str(), 0600); // which nobody writes to
+    refused("");
+    std::filesystem::remove(folder / "a/manifest.json");
+    mkfifo((folder / "a/hits.1.exr").c_str(), 0600);
+    const Outcome run = dirt(dumpOf(folder, folder / "a", {}));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find("hits.1.exr: cannot write: not a regular file"), std::string::npos);
+    EXPECT_EQ(filesIn(folder / "a"), (std::set<std::string>{"mine.exr", "hits.1.exr"}));
+}
+
+TEST(DumpCommand, SaysWhatAFrameDoesNotHave) {
+    const TemporaryFolder folder;
+    auto arguments =
+        dumpOf(folder, folder / "a", {"--buffers", "shadowmap,ids,mask", "--bounces", "1"});
+    std::erase(arguments, "--quiet");
+    const Outcome run = dirt(arguments);
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.err.find("dirt: warning: --buffers shadowmap,mask: this frame has none\n"), 0u)
+        << run.err;
+    const Outcome all = dirt(dumpOf(folder, folder / "b", {}));
+    EXPECT_EQ(all.err.find("warning"), std::string::npos) << all.err;
 }
 
 TEST(DumpCommand, EndsInOneLine) {
