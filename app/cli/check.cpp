@@ -73,7 +73,10 @@ std::string commandOf(const CheckOptions& options, const Input& input) {
            (settings.visibility == LightVisibility::traced ? " --visibility traced"
                                                            : " --visibility shadowmap") +
            (settings.shading == Shading::full ? "" : " --shading packed") + " --ray-type " +
-           rayTypes[(size_t) settings.rayType] + " --bounces " + std::to_string(settings.bounces) +
+           rayTypes[(size_t) settings.rayType] +
+           (settings.rayType == RayType::visibility
+                ? ""
+                : " --bounces " + std::to_string(settings.bounces)) +
            " --seed " + std::to_string(settings.seed);
 }
 
@@ -94,11 +97,15 @@ Json meanJson(glm::dvec3 mean) {
 bool runCheck(const CheckOptions& options) {
     if (options.backends.size() != 2)
         throw InputError("--backends: two of cpu, gl, embree, as in cpu,gl");
-    if (options.common.samples) throw InputError("--spp: check runs the first sample alone");
-    const auto executor = makeExecutor(options.common);
-    const auto first = makeBackend(kindOf(options.backends[0]), options.common, *executor);
-    const auto second = makeBackend(kindOf(options.backends[1]), options.common, *executor);
-    const Input input = openInput(options.common, *executor);
+    if (options.backends[0] == options.backends[1] && !options.common.quiet)
+        std::fprintf(stderr, "dirt: warning: --backends %s,%s: a backend is compared with itself\n",
+                     options.backends[0].c_str(), options.backends[1].c_str());
+    CommonOptions common = options.common;
+    for (const std::string& name : options.backends) common.backends.push_back(kindOf(name));
+    const auto executor = makeExecutor(common);
+    const auto first = makeBackend(common.backends[0], common, *executor);
+    const auto second = makeBackend(common.backends[1], common, *executor);
+    const Input input = openInput(common, *executor);
     const CheckReport report = checkBackends(input.scene, input.settings, *first, *second);
 
     std::FILE* const table = options.json ? stderr : stdout;

@@ -35,6 +35,8 @@ GeneratorInfo find(const std::string& name) {
 }
 
 void runGenerate(const GenerateOptions& options) {
+    if (options.list && (!options.name.empty() || !options.directory.empty() || options.detail))
+        throw InputError("generate: --list only prints what there is, and goes with nothing else");
     if (options.list) return printGenerators();
     if (options.name.empty()) throw InputError("generate: NAME is required (--list shows them)");
     if (options.directory.empty()) throw InputError("generate: -o DIR is required");

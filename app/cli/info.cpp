@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
+#include "app/cli/thread_limit.h"
 #include "core/cost/cost_model.h"
 #include "core/cost/forecast.h"
 #include "core/frame/memory_plan.h"
@@ -359,6 +360,7 @@ void runInfo(const InfoOptions& options) {
 
 void printDevices() {
 #ifdef DIRT_HAVE_GL
+    spareThreads();
     const std::vector<GlDevice> devices = listGlDevices();
     for (size_t i = 0; i < devices.size(); ++i)
         std::printf("%zu  %s\n", i, (devices[i].name + devices[i].problem).c_str());

@@ -1,7 +1,9 @@
 #include "app/cli/input.h"
 
 #include "app/cli/model_camera.h"
+#include "app/cli/option_scope.h"
 #include "app/cli/progress_bar.h"
+#include "app/cli/thread_limit.h"
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
 #include "core/cost/cost_model.h"
@@ -61,6 +63,15 @@ void print(const LoadedScene& loaded) {
     if (!names.empty()) std::fprintf(stderr, "dirt: ignored: %s\n", names.c_str());
 }
 
+/// Says which options the scene leaves without effect.
+void noteIdleOptions(const CommonOptions& options, const Scene& scene) {
+    if (options.quiet) return;
+    if (options.frame && scene.animation.empty())
+        std::fprintf(stderr, "dirt: warning: --frame: the scene does not move\n");
+    if (options.visibility && scene.lights.empty() && !isModel(options.scene))
+        std::fprintf(stderr, "dirt: warning: --visibility: the scene has no light\n");
+}
+
 LoadedScene load(const CommonOptions& options, Executor& executor) {
     ProgressBar bar(options.quiet, "files read");
     LoadOptions load;
@@ -109,7 +120,12 @@ void chooseStructure(Input& input, const CommonOptions& options, const SceneSett
 } // namespace
 
 std::unique_ptr<Executor> makeExecutor(const CommonOptions& options) {
-    return std::make_unique<ThreadPool>(options.threads);
+    auto pool = std::make_unique<ThreadPool>(options.threads);
+    spareThreads();
+    if (pool->missing() > 0 && !options.quiet)
+        std::fprintf(stderr, "dirt: warning: %u of %u threads cannot be made: going on with %u\n",
+                     pool->missing(), pool->missing() + pool->threads(), pool->threads());
+    return pool;
 }
 
 std::unique_ptr<Backend> makeBackend(BackendKind kind, const CommonOptions& options,
@@ -138,11 +154,14 @@ std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& exe
 
 Input openInput(const CommonOptions& options, Executor& executor) {
     checkCameraOptions(options);
+    refuseIdleOptions(options);
     LoadedScene loaded = load(options, executor);
     if (!options.quiet) print(loaded);
 
     Input input;
     input.settings = mergeSettings(settingsOf(loaded.settings), options);
+    refuseIdleOptions(options, input.settings);
+    noteIdleOptions(options, loaded.scene);
     chooseCamera(loaded, options);
     const bool isBare = isModel(options.scene), needsLight = isBare && !loaded.hasLight;
     if (!loaded.hasCamera || needsLight) {
@@ -152,7 +171,8 @@ Input openInput(const CommonOptions& options, Executor& executor) {
     }
     if (isBare) loaded.scene.background = glm::vec3(kModelBackground);
     if (input.settings.visibility == LightVisibility::shadowMap)
-        for (const Spotlight& light : loaded.scene.lights) checkShadowMap(light);
+        for (const Spotlight& light : loaded.scene.lights)
+            if (light.shadows) checkShadowMap(light);
     input.scene = std::move(loaded.scene);
     input.warnings = std::move(loaded.warnings);
     input.ignored = std::move(loaded.ignored);

@@ -1,6 +1,7 @@
 #include "app/cli/options.h"
 
 #include "app/cli/memory_limit.h"
+#include "app/cli/option_scope.h"
 #include "app/cli/option_values.h"
 #include "core/grid/view.h"
 #include "core/io/error.h"
@@ -104,6 +105,7 @@ void addSettingsOptions(CLI::App& command, CommonOptions& o) {
         "what the numbers of MTL files mean (default: demo for a .scene file's, wavefront for "
         "an .obj file's)",
         [&o](size_t i) { o.materials = (MaterialConvention) i; });
+    limitOptions(command, o);
 }
 
 RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& o) {

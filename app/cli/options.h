@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/App.hpp>
 #include <glm/vec3.hpp>
@@ -26,6 +27,7 @@ struct ImageSize {
 struct CommonOptions {
     std::string scene; ///< a .scene file or a bare .obj, .gltf or .glb
     BackendKind backend = BackendKind::cpu;
+    std::vector<BackendKind> backends; ///< of a command that uses several; else empty
     int device = -1; ///< of OpenGL; -1: the first that works
 
     std::optional<ViewMode> view;
@@ -59,6 +61,9 @@ struct CommonOptions {
     bool quiet = false;   ///< nothing on standard error but errors
     bool noCache = false; ///< neither read nor leave caches of models
     bool strict = false;  ///< what a scene lacks is an error, not a warning
+
+    bool sweeps = false;            ///< the command makes other choices than these in turn
+    std::vector<std::string> given; ///< options that not every backend honours
 };
 
 /// Adds SCENE and the common options to \p command. Values out of range end the parsing with a

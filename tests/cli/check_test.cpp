@@ -41,7 +41,7 @@ TEST(Check, RunsOneSample) {
     const TemporaryFolder folder;
     const Outcome run = dirt({"check", litTriangle(folder), "--backends", "cpu,cpu", "--spp", "2"});
     EXPECT_EQ(run.status, 2);
-    EXPECT_EQ(run.err, "dirt: --spp: check runs the first sample alone\n");
+    EXPECT_EQ(run.err, "dirt: --spp: has no effect in dirt check\n");
 }
 
 TEST(Check, ReportsTheRowsOfASampleAsJson) {

@@ -1,0 +1,142 @@
+#include "app/cli/option_scope.h"
+
+#include "core/io/error.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace dirt {
+
+namespace {
+
+enum Command : unsigned {
+    kRender = 1,
+    kInfo = 2,
+    kDump = 4,
+    kCheck = 8,
+    kVerify = 16,
+    kFrame = 32, ///< dirt bench …
+    kTradeoff = 64,
+    kScaling = 128,
+    kAll = 255,
+    kShading = kAll & ~kVerify, ///< verify casts rays at geometry
+};
+
+constexpr unsigned bit(BackendKind kind) {
+    return 1u << (unsigned) kind;
+}
+constexpr unsigned kCpu = bit(BackendKind::cpu), kGl = bit(BackendKind::gl),
+                   kEmbree = bit(BackendKind::embree), kGrid = kCpu | kGl, kAny = kGrid | kEmbree;
+
+struct Scope {
+    std::string_view option;
+    unsigned commands, backends; ///< that honour it
+    /// Whether the value that was given is what all others do anyway; null: none is.
+    bool (*isWhatTheyDo)(const CommonOptions&) = nullptr;
+};
+
+/// Which commands and backends honour an option. One that is not here all do.
+constexpr Scope kScopes[] = {
+    {"--backend", kAll & ~kCheck, kAny}, // check has --backends
+    {"--device", kAll, kGl},
+    {"--view", kAll, kAny},
+    {"--tile", kAll, kGrid},
+    {"--bins", kAll, kGrid},
+    {"--view-size", kAll, kGrid},
+    {"--max-mip", kAll, kGrid},
+    {"--traversal", kAll, kGrid},
+    {"--primary", kShading, kGrid,
+     [](const CommonOptions& o) { return o.primary == Primary::traced; }},
+    {"--fetch", kShading, kGrid, [](const CommonOptions& o) { return o.fetch == Fetch::direct; }},
+    {"--visibility", kShading, kAny},
+    {"--shading", kShading, kAny},
+    {"--precision", kAll, kGrid,
+     [](const CommonOptions& o) { return o.precision == Precision::exact; }},
+    {"--size", kAll, kAny},
+    {"--spp", kRender | kInfo, kAny},                   // others take one sample, or say how many
+    {"--bounces", kShading & ~(unsigned) kFrame, kAny}, // one bounce of light is timed
+    {"--ray-type", kShading, kAny},
+    {"--seed", kAll, kAny},
+    {"--eye", kAll, kAny},
+    {"--target", kAll, kAny},
+    {"--up", kAll, kAny},
+    {"--fov", kAll, kAny},
+    {"--frame", kAll & ~kScaling, kAny}, // its scene does not move
+    {"--threads", kAll, kAny},
+    {"--quiet", kAll, kAny},
+    {"--no-cache", kAll, kAny},
+    {"--strict", kAll, kAny},
+    {"--materials", kAll, kAny},
+};
+
+Command commandOf(const std::string& name) {
+    constexpr std::pair<std::string_view, Command> kNames[] = {
+        {"render", kRender}, {"info", kInfo},   {"dump", kDump},         {"check", kCheck},
+        {"verify", kVerify}, {"frame", kFrame}, {"tradeoff", kTradeoff}, {"scaling", kScaling}};
+    for (const auto& [known, command] : kNames)
+        if (name == known) return command;
+    return kAll;
+}
+
+bool isGiven(const CommonOptions& o, std::string_view option) {
+    return std::find(o.given.begin(), o.given.end(), option) != o.given.end();
+}
+
+/// As they are chosen: "--backend cpu", "--backends cpu,embree".
+std::string backendText(const std::vector<BackendKind>& backends) {
+    constexpr const char* kNames[] = {"cpu", "gl", "embree"};
+    std::string text = backends.size() > 1 ? "--backends " : "--backend ";
+    for (const BackendKind kind : backends)
+        text.append(kind == backends.front() ? "" : ",").append(kNames[(size_t) kind]);
+    return text;
+}
+
+[[noreturn]] void refuse(std::string_view option, const std::string& with) {
+    throw InputError(std::string(option) + ": has no effect with " + with);
+}
+
+} // namespace
+
+void limitOptions(CLI::App& command, CommonOptions& o) {
+    const CLI::App* parent = command.get_parent();
+    const bool nested = parent && parent->get_parent();
+    const std::string name =
+        (nested ? "dirt " + parent->get_name() + " " : "dirt ") + command.get_name();
+    o.sweeps = command.get_name() == "tradeoff";
+    for (const Scope& scope : kScopes) {
+        CLI::Option* option = command.get_option_no_throw(std::string(scope.option));
+        if (!option) continue;
+        if ((scope.commands & commandOf(command.get_name())) == 0) {
+            option->group(""); // not in the help
+            option->check([name, scope](const std::string&) -> std::string {
+                throw CLI::ValidationError(std::string(scope.option), "has no effect in " + name);
+            });
+        } else if (scope.backends != kAny) {
+            option->each([&o, scope](const std::string&) { o.given.emplace_back(scope.option); });
+        }
+    }
+}
+
+void refuseIdleOptions(const CommonOptions& o) {
+    const std::vector<BackendKind> backends =
+        o.backends.empty() ? std::vector<BackendKind>{o.backend} : o.backends;
+    unsigned used = 0;
+    for (const BackendKind kind : backends) used |= bit(kind);
+    for (const Scope& scope : kScopes)
+        if ((scope.backends & used) == 0 && isGiven(o, scope.option) &&
+            !(scope.isWhatTheyDo && scope.isWhatTheyDo(o)))
+            refuse(scope.option, backendText(backends));
+}
+
+void refuseIdleOptions(const CommonOptions& o, const RenderSettings& settings) {
+    if (o.sweeps) return; // other choices are made in turn
+    if (settings.grid.mode == ViewMode::single && o.viewSize)
+        refuse("--view-size", "a single view, which has the image's size");
+    if (settings.grid.traversal == Traversal::linear && o.maxMip)
+        refuse("--max-mip", "--traversal linear, which uses no level but the lowest");
+    if (settings.rayType == RayType::visibility && o.bounces)
+        refuse("--bounces", "--ray-type visibility, which has two");
+}
+
+} // namespace dirt
