@@ -167,7 +167,7 @@ TEST(BenchTradeoff, TakesErrorsApartFromTimes) {
     refuses("its camera is ", {"--errors", known, "--eye=0,1,2"});
     refuses("is not the JSON of", {"--errors", folder.write("a.json", "{\"scene\": ")});
     refuses("is not the JSON of", {"--errors", folder.write("b.json", "{}")});
-    refuses("--errors excludes --error-spp", {"--errors", known, "--error-spp", "3"});
+    refuses("--error-spp excludes --errors", {"--errors", known, "--error-spp", "3"});
     refuses("none.json", {"--errors", folder / "none.json"});
     json other = json::parse(readFile(known));
     other["points"].erase(3);

@@ -111,7 +111,8 @@ TEST(Options, HelpListsWhatACommandHonours) {
         Names known(kFlags.begin(), kFlags.end());
         for (const auto& [option, value] : kOptions) known.insert(option);
         if (command.name != "verify") continue;
-        known.merge(Names{"--help", "--rays", "--kinds", "--json"});
+        // Which model has cameras is not the command's business; --devices is info's, and spoken of.
+        known.merge(Names{"--help", "--rays", "--kinds", "--json", "--camera", "--devices"});
         for (size_t at = help.find("--"); at != std::string::npos; at = help.find("--", at + 2)) {
             if (help[at - 1] != ' ' && help[at - 1] != ',') continue;
             const size_t end = help.find_first_not_of("-abcdefghijklmnopqrstuvwxyz", at);
@@ -166,8 +167,8 @@ TEST(Options, OthersThatLeaveOneWithoutEffectAreNamed) {
         scene = litTriangle(folder),
         single =
             folder.write("single.scene",
-                         "<world><object file=\"a.obj\"/><user faces=\"single\" position=\"0 0 0\" "
-                         "lookat=\"0 0 -1\"/></world>");
+                         "<world><tracing faces=\"single\"/><object file=\"a.obj\"/>"
+                         "<user position=\"0 0 0\" lookat=\"0 0 -1\"/></world>");
     EXPECT_TRUE(isRefused({"info", scene, "--view", "single", "--view-size", "64"}, "--view-size"));
     EXPECT_TRUE(isRefused({"info", single, "--view-size", "64"}, "--view-size"));
     EXPECT_TRUE(isRefused({"info", scene, "--traversal", "linear", "--max-mip", "2"}, "--max-mip"));
