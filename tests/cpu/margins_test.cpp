@@ -48,7 +48,7 @@ TEST(CpuMargins, HoldWhatTheLightGridNeeds) {
     // LightTriangle: the determinant 24 and 4, an edge 8.
     EXPECT_GT(kLightError, 24 * v);
     EXPECT_GT(kLightNormalError, 4 * v);
-    EXPECT_LT(0x1p-48 / kLightEdgeClear, 0.5 * 0x1p-23);
+    EXPECT_LE(0x1p-48 / kLightEdgeClear, 0.5 * 0x1p-23);
     EXPECT_LE((24 + 8) * v / kLightDepthClear, u);
     // Records: planes in double against their own float rounding.
     EXPECT_GE(kLightRecord, u);

@@ -99,6 +99,32 @@ TEST(Coverage, ListsExactlyWhatTheGuardBandsAskFor) {
     EXPECT_LT(met, total * 4 / 5);
 }
 
+/// The depths are those of the guard-banded tile, rounded outwards.
+TEST(Coverage, DepthsHoldThoseOfTheGuardBandedTile) {
+    Random random(20161195);
+    const std::vector<ViewSet> sets = variousViews(random);
+    NastyTriangles triangles(random, sets);
+    int listed = 0;
+    for (int i = 0; i < cases(20'000, 1'000'000); ++i) {
+        const TileCase c = triangles.next();
+        ViewTriangle setup;
+        DepthInterval depths;
+        if (!setUpTriangle(c.triangle, *c.view, setup) ||
+            !clipToTile(setup, *c.view, c.column, c.row, depths))
+            continue;
+        View banded = *c.view;
+        banded.s = {c.view->sLo[(size_t) c.column], c.view->sHi[(size_t) c.column]};
+        banded.t = {c.view->tLo[(size_t) c.row], c.view->tHi[(size_t) c.row]};
+        const ExactDepths exact = clipExactly(ExactTriangle(c.triangle, *c.view),
+                                              ExactCone(banded, 0, 0, {0.0, 0.0}, 0.0));
+        if (!exact.meets) continue;
+        ++listed;
+        ASSERT_LE(compare(depths.near, exact.near), 0) << hex(depths.near) << "\n" << describe(c);
+        ASSERT_GE(compare(depths.far, exact.far), 0) << hex(depths.far) << "\n" << describe(c);
+    }
+    EXPECT_GT(listed, 2'000);
+}
+
 TEST(Coverage, DecidesEdgesThroughCornersExactly) {
     Random random(20161194);
     for (int round = 0; round < cases(30, 300); ++round) {

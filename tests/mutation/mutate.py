@@ -37,7 +37,7 @@ SOURCES = {
 # The last of a list counts a derivation anew: what only that one notices has room behind it.
 GRID = ["grid_coverage_test", "grid_margins_test"]
 HITS = ["trace_intersect_test", "trace_offset_test", "grid_margins_test"]
-WALK = ["trace_visit_test", "trace_closest_hit_test", "grid_margins_test"]
+WALK = ["trace_margins_test", "trace_visit_test", "trace_closest_hit_test", "grid_margins_test"]
 LIGHT = ["cpu_light_lists_test", "cpu_light_grid_test", "cpu_margins_test"]
 TESTS = {
     "core": {"kGuardBand": GRID, "kSignDoubt": GRID, "kDepthMargin": GRID,
