@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
+#include "app/cli/thread_limit.h"
 #include "core/compare/colour.h"
 #include "core/compare/colour_map.h"
 #include "core/compare/differences.h"
@@ -141,6 +142,7 @@ void print(const CompareOptions& options, const Image& image, const Comparison& 
 /// Whether all pixels could be compared.
 bool runCompare(const CompareOptions& options) {
     const ImageFormat format = formatOf(options);
+    spareThreads();
     noteInput(options.image);
     noteInput(options.reference);
     if (!options.diff.empty()) {

@@ -109,8 +109,9 @@ void limitOptions(CLI::App& command, CommonOptions& o) {
         if (!option) continue;
         if ((scope.commands & commandOf(command.get_name())) == 0) {
             option->group(""); // not in the help
-            option->check([name, scope](const std::string&) {
-                return std::string(scope.option) + ": has no effect in " + name;
+            option->check([name, scope](const std::string&) -> std::string {
+                // CLI11's own errors name no option that is not in the help.
+                throw InputError(std::string(scope.option) + ": has no effect in " + name);
             });
         } else if (scope.backends != kAny) {
             option->each([&o, scope](const std::string&) { o.given.emplace_back(scope.option); });

@@ -36,8 +36,7 @@ std::string describe(const CLI::App& program, const CLI::ParseError& error) {
     const std::string help = " (dirt " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +
                              "--help shows what there is)";
     const auto is = [&](CLI::ExitCodes kind) { return error.get_exit_code() == (int) kind; };
-    std::string text = error.what();
-    if (text.starts_with(": ")) text.erase(0, 2); // the name of an option that is not in the help
+    const std::string text = error.what();
     const std::vector<std::string> extras = program.remaining(true);
     if (is(CLI::ExitCodes::ExtrasError) && !extras.empty())
         return "unexpected argument '" + extras.front() + "'" + help;

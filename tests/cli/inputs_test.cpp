@@ -3,6 +3,7 @@
 
 #include "core/io/image.h"
 #include "tests/cli/program.h"
+#include "tests/support/random.h"
 
 #include <algorithm>
 #include <map>
@@ -194,6 +195,7 @@ TEST_F(Inputs, BenchesSpareThem) {
     fs::remove("tables/crate-tradeoff.json");
     expectRefusal({"bench", "tradeoff", "crate.obj", "--size", "8x8", "--quiet", "-o", "tables"},
                   "tables/crate-memory.svg");
+    if (!fullTests()) return; // its largest image takes long
     // What it makes only to time it goes to a folder of its own.
     folder_.write("tables/scenes/mine.scene", "mine");
     EXPECT_EQ(dirt({"bench", "scaling", "--size", "8x8", "--rounds", "1", "--most", "10000", "-o",

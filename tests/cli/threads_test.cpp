@@ -65,10 +65,6 @@ protected:
     int least_ = 0;
 };
 
-/// Programs that start for every number of threads take minutes.
-#define DIRT_LONG_FORM_ONLY() \
-    if (!std::getenv("DIRT_TEST_FULL")) GTEST_SKIP() << "starts dozens of programs: in the long form"
-
 std::vector<std::string> render(const std::string& scene, const std::string& output,
                                 const std::string& backend) {
     return {"render",    scene, "--size", "16x16", "--spp",     "1",
@@ -85,20 +81,18 @@ TEST_F(FewThreads, RenderGoesOnWithThoseThereAre) {
 
 #ifdef DIRT_HAVE_EMBREE
 TEST_F(FewThreads, EmbreeTakesWhatItGets) {
-    DIRT_LONG_FORM_ONLY();
     expectSame(render(scene_, folder_ / "a.exr", "embree"), folder_ / "a.exr", 12, true);
 }
 #endif
 
 TEST_F(FewThreads, OpenGlTakesWhatItGets) {
-    DIRT_LONG_FORM_ONLY();
+    if (!std::getenv("DIRT_TEST_FULL")) GTEST_SKIP() << "takes minutes: in the long form";
     const auto arguments = render(scene_, folder_ / "a.exr", "gl");
     if (startDirt(arguments).status == 3) GTEST_SKIP() << "no OpenGL here";
     expectSame(arguments, folder_ / "a.exr", 4);
 }
 
 TEST_F(FewThreads, OtherCommandsToo) {
-    DIRT_LONG_FORM_ONLY();
     expectSame({"generate", "cornell", "-o", folder_ / "c"}, folder_ / "c/cornell.obj", 4);
     const std::string a = folder_ / "a.exr", b = folder_ / "b.exr";
     ASSERT_EQ(startDirt(render(scene_, a, "cpu")).status, 0);

@@ -183,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
         OddFile{"OBJ/box_without_lineending.obj", 12, 1, 0, 1},
         OddFile{"OBJ/concave_polygon.obj", 64, 1, 0, 0},
         // The library, which is named after the group, is not there; nor is the material.
-        OddFile{"OBJ/cube_mtllib_after_g.obj", 12, 1, 0, 2},
+        OddFile{"OBJ/cube_mtllib_after_g.obj", 12, 1, 0, 1},
         OddFile{"OBJ/cube_usemtl.obj", 12, 3, 0, 1},
         OddFile{"OBJ/cube_with_vertexcolors.obj", 12, 1, 0, 0},
         OddFile{"OBJ/cube_with_vertexcolors_uni.obj", 12, 1, 0, 0},
