@@ -100,7 +100,7 @@ Standpoint standpointOf(const LoadedScene& loaded, const CommonOptions& options,
         hints.verticalFov = camera.verticalFov;
     }
     hints.up = options.up.value_or(hints.up);
-    hints.verticalFov = options.verticalFov.value_or(hints.verticalFov);
+    if (options.verticalFov) hints.verticalFov = options.verticalFov;
     hints.aspect = (float) grid.width / (float) grid.height;
     CpuBackend backend(executor);
     return chooseStandpoint(scene.mesh, backend, hints);

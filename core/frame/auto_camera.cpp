@@ -18,8 +18,9 @@ namespace dirt {
 
 namespace {
 
-constexpr int kHeadings = 16;           ///< level directions tried at one place
-constexpr int kColumns = 12, kRows = 6; ///< rays of a coarse image
+constexpr int kHeadings = 16;                     ///< level directions tried at one place
+constexpr float kFov = 53.0f, kObjectFov = 30.0f; ///< degrees
+constexpr int kColumns = 12, kRows = 6;           ///< rays of a coarse image
 
 /// Where to stand and which way to look; grid frame.
 struct Look {
@@ -35,6 +36,7 @@ struct Subject {
     glm::dvec3 low{std::numeric_limits<double>::max()};
     glm::dvec3 high{std::numeric_limits<double>::lowest()};
     std::optional<glm::dvec3> eye, target;
+    float verticalFov = kFov;
 
     Subject(const Mesh& mesh, const FrameGeometry& geometry, const CameraHints& hints)
         : geometry(geometry), hints(hints), horizon(hints.up),
@@ -46,9 +48,10 @@ struct Subject {
             }
         if (hints.eye) eye = toGrid(*hints.eye);
         if (hints.target) target = toGrid(*hints.target);
+        if (hints.verticalFov) verticalFov = *hints.verticalFov;
     }
     Framing framing(glm::dvec3 direction) const {
-        return Framing(direction, hints.up, hints.verticalFov, hints.aspect);
+        return Framing(direction, hints.up, verticalFov, hints.aspect);
     }
     glm::dvec3 centre() const { return 0.5 * (low + high); }
     /// In double: what is given may be far outside of what float's grid frame holds.
@@ -157,10 +160,13 @@ Look lookIntoRoom(const Subject& subject, const ModelKind& kind, Tracer& tracer)
     return best;
 }
 
-Look chooseLook(const Subject& subject, Tracer& tracer) {
+/// And through which lens, if that is not given.
+Look chooseLook(Subject& subject, Tracer& tracer) {
     if (subject.eye) return lookFrom(subject, *subject.eye, tracer);
     const ModelKind kind = kindOf(subject.geometry, subject.samples, tracer);
-    return kind.room ? lookIntoRoom(subject, kind, tracer) : lookAtObject(subject, kind, tracer);
+    if (kind.room) return lookIntoRoom(subject, kind, tracer);
+    if (!subject.hints.verticalFov) subject.verticalFov = kObjectFov;
+    return lookAtObject(subject, kind, tracer);
 }
 
 /// What a coarse image shows.
@@ -271,12 +277,12 @@ Standpoint chooseStandpoint(const Mesh& mesh, Tracer& tracer, const CameraHints&
     settings.width = settings.height = settings.viewSize = 512;
     tracer.build(geometry, middle, settings);
 
-    const Subject subject(mesh, geometry, hints);
+    Subject subject(mesh, geometry, hints);
     const Look look = chooseLook(subject, tracer);
     const Glance glance = glanceAt(subject, look, tracer);
     Standpoint result;
     result.camera.up = hints.up;
-    result.camera.verticalFov = hints.verticalFov;
+    result.camera.verticalFov = subject.verticalFov;
     const double distance = glance.distance / (double) geometry.frame.scale;
     place(result.camera, subject.toWorld(look.eye), glm::normalize(look.direction), distance,
           hints);

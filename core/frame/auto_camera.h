@@ -15,8 +15,10 @@ struct CameraHints {
     std::optional<glm::vec3> eye;    ///< world space
     std::optional<glm::vec3> target; ///< world space
     glm::vec3 up{0.0f, 1.0f, 0.0f};  ///< not zero
-    float verticalFov = 53.0f;       ///< degrees
-    float aspect = 2.0f;             ///< width : height
+    /// Degrees. Left out: an object is seen as through a long lens, at 30, so that it is little
+    /// distorted and its top can be seen from slightly above; a room as by default, at 53.
+    std::optional<float> verticalFov;
+    float aspect = 2.0f; ///< width : height
 };
 
 /// Where to stand, where to look, and a light to see by.

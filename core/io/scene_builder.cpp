@@ -116,12 +116,16 @@ std::vector<uint32_t> SceneBuilder::resolveMaterials(const GltfFile& gltf, bool 
 }
 
 uint32_t SceneBuilder::addSurface(const GltfFile& gltf, size_t index, bool doubleSided) {
+    const std::string place = "materials[" + std::to_string(index) + "]";
     const auto [entry, isNew] = materials_.try_emplace(
-        {gltf.file.string(), "materials[" + std::to_string(index) + "]", std::nullopt, doubleSided},
-        (uint32_t) scene_.materials.size());
+        {gltf.file.string(), place, std::nullopt, doubleSided}, (uint32_t) scene_.materials.size());
     if (!isNew) return entry->second;
     Material material = loadGltfMaterial(gltf, index, textures_);
     material.doubleSided |= doubleSided;
+    if (material.opacity < 0.5f)
+        report_.warn(WarningKind::unseenMaterial, gltf.file, 0,
+                     place + " has an alpha below its cutoff: more transparent than "
+                             "not, it is not shown at all");
     if (doubleSided && gltf.surfaces[index].saysOneSided)
         report_.ignore("glTF material doubleSided false");
     scene_.materials.push_back(std::move(material));

@@ -3,6 +3,7 @@
 #include "core/io/image_reader.h"
 #include "core/io/load_report.h"
 #include "core/io/text_file.h"
+#include "core/scene/srgb.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -107,9 +108,11 @@ Texture readTexture(const DecodedImage& image) {
     DecodedImage::Pixels& pixels = image.pixels();
     const std::string name = pixels.name.string();
     const int width = pixels.spec.width, height = pixels.spec.height;
-    if (!isFloat(pixels.spec.format))
+    if (pixels.spec.format == OIIO::TypeDesc::UINT8)
         return Texture(name, width, height, pixels.colours<uint8_t>());
     auto texels = pixels.colours<float>();
+    if (!isFloat(pixels.spec.format)) // of more bits than a byte's curve keeps
+        for (float& value : texels) value = (float) decodeSrgb(value);
     for (const float value : texels)
         if (!(value >= 0.0f && value <= FLT_MAX))
             failAt(pixels.name, 0, "damaged image: a texel is negative or not finite");

@@ -129,6 +129,18 @@ TEST(AutoCamera, ShowsWhatHasItsFrontElsewhereFromThere) {
     EXPECT_LT(std::abs(sideOf(rod).z), 0.75f);
 }
 
+/// From slightly above one sees the top, be it of a die or of a tower: the eye is above it.
+TEST(AutoCamera, ShowsTheTop) {
+    for (const float height : {0.5f, 1.0f, 4.0f}) {
+        Mesh mesh;
+        addBox(mesh, {-0.5f, 0, -0.5f}, {0.5f, height, 0.5f}, false);
+        const Camera camera = choose(mesh).camera;
+        EXPECT_GT(camera.eye.y, height);
+        EXPECT_EQ(camera.verticalFov, 30.0f);
+    }
+    EXPECT_EQ(choose(hall()).camera.verticalFov, 53.0f);
+}
+
 TEST(AutoCamera, TakesZUpAsItIsTold) {
     EXPECT_GT(sideOf(zUpHouse()).z, 0.5f); // as Y up, it lies on its back: not from below
     CameraHints hints;

@@ -4,13 +4,9 @@
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
 #include "core/frame/renderer.h"
-#include "core/io/image.h"
 #include "core/io/load.h"
 #include "core/path/tone_mapping.h"
-#include "tests/support/golden_scenes.h"
-#include "tests/support/temporary_folder.h"
-
-#include <cstdlib>
+#include "tests/support/golden_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -29,17 +25,7 @@ TEST_P(Golden, LooksAsItDid) {
     const Image image = Renderer(loaded.scene, settings, backend).render().image;
     const auto bytes = DisplayEncoding(loaded.scene.toneMapping).bytes(image.pixels);
 
-    const std::string expected = test::goldenFolder() / "images" / (GetParam() + ".png");
-    if (std::getenv("DIRT_PROMOTE")) writePng(expected, image.width, image.height, bytes, {});
-    const test::TemporaryFolder folder;
-    writePng(folder / "now.png", image.width, image.height, bytes, {});
-    const Image before = readImage(expected), now = readImage(folder / "now.png");
-    ASSERT_EQ(before.pixels.size(), now.pixels.size());
-    size_t different = 0;
-    for (size_t i = 0; i < now.pixels.size(); ++i) different += now.pixels[i] != before.pixels[i];
-    EXPECT_EQ(different, 0u) << "pixels; to look at what it is now, and to keep it:\n"
-                             << "  dirt render tests/golden/scenes/" << GetParam() << ".scene\n"
-                             << "  DIRT_PROMOTE=1 build/release/tests/golden_golden_test";
+    test::expectGolden(GetParam(), image.width, image.height, bytes);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(test::goldenScenes()),

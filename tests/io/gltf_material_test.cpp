@@ -196,6 +196,13 @@ TEST_F(GltfMaterial, WhatIsToBeBlendedIsCutOutAtAHalf) {
     EXPECT_EQ(glass.scene.materials.at(0).opacity, 0.25f);
     EXPECT_EQ(glass.ignored, std::vector<std::string>{
                                  "glTF material alphaMode BLEND but as a cut-out at 1/2 (1)"});
+    ASSERT_EQ(glass.warnings.size(), 1u);
+    EXPECT_EQ(glass.warnings[0].kind, WarningKind::unseenMaterial);
+    EXPECT_NE(glass.warnings[0].text.find("materials[0] has an alpha below its cutoff"),
+              std::string::npos);
+    const LoadedScene seen = material(R"({"alphaMode": "BLEND",
+        "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.75]}})");
+    EXPECT_TRUE(seen.warnings.empty());
 }
 
 } // namespace

@@ -88,12 +88,18 @@ TEST(TextureFile, DoesNotMultiplyByAlpha) {
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(1, 1, 0));
 }
 
+/// Sixteen bits of an sRGB colour are sixteen bits still, of which eight would leave nothing of a
+/// dark one.
 TEST(TextureFile, ReadsDeepIntegersAsSrgbToo) {
     const test::TemporaryFolder folder;
-    const Texture t = readTexture(DecodedImage(
-        writeImage(folder.path() / "a.png", 3, OIIO::TypeDesc::UINT16, {1.0f, 0.0f, 1.0f})));
-    EXPECT_EQ(t.bytes(), 3u);
-    EXPECT_EQ(t.sample({0, 0}), glm::vec3(1, 0, 1));
+    for (const char* name : {"a.png", "a.tif"}) {
+        const Texture t = readTexture(DecodedImage(
+            writeImage(folder.path() / name, 3, OIIO::TypeDesc::UINT16, {0.001f, 0.5f, 1.0f})));
+        const glm::vec3 colour = t.sample({0, 0});
+        EXPECT_NEAR(colour.x, 66.0 / 65535.0 / 12.92, 1e-11); // 7.79e-5; 0.001 is between two steps
+        EXPECT_NEAR(colour.y, 0.21404, 2e-5);
+        EXPECT_EQ(colour.z, 1.0f);
+    }
 }
 
 TEST(TextureFile, ReadsFloatsAsTheyAre) {
@@ -173,7 +179,9 @@ TEST(TextureFile, SaysNothingBesidesItsError) {
 /// writes beyond its memory.
 TEST(TextureFile, ReadsTheListedFormatsAlone) {
     const test::TemporaryFolder folder;
-    const std::string iff("FOR4\0\0\0\x20" "CIMGTBHD\0\0\0\x18", 20);
+    const std::string iff("FOR4\0\0\0\x20"
+                          "CIMGTBHD\0\0\0\x18",
+                          20);
     const std::string gif("GIF89a\1\0\1\0\x80\0\0", 13);
     for (const std::string& bytes : {iff, gif, std::string("8BPS\0\1", 6)}) {
         const std::string file = folder.write("a.png", bytes);
@@ -232,7 +240,8 @@ TEST_P(DamagedTexture, EndsInOneLine) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, DamagedTexture,
-                         testing::Values("png", "jpg", "tga", "tif", "bmp", "exr", "hdr", "webp", "ppm"),
+                         testing::Values("png", "jpg", "tga", "tif", "bmp", "exr", "hdr", "webp",
+                                         "ppm"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(TextureFile, TellsNormalsFromHeights) {
