@@ -4,7 +4,9 @@
 #include "core/grid/denormals.h"
 #include "core/io/error.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <mutex>
@@ -27,6 +29,26 @@ Ray withoutDenormals(Ray ray) {
     return ray;
 }
 
+/// Embree ends the program at numbers from 1.844e18 on, and loses rays whose direction is below
+/// 1e-18 in all components.
+constexpr float kLargestTaken = 0x1p60f, kLeastDirection = 0x1p-40f;
+
+float largestOf(glm::vec3 v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// Whether Embree can be asked. An origin that far from everything hits nothing here.
+bool isTaken(const Ray& ray) {
+    return isTraceable(ray) && largestOf(ray.origin) <= kLargestTaken;
+}
+
+/// The power of two that a direction has to be divided by for Embree; nearly always 1.
+float unitFor(glm::vec3 direction) {
+    const float largest = largestOf(direction);
+    if (largest >= kLeastDirection && largest <= kLargestTaken) return 1.0f;
+    return std::ldexp(1.0f, std::min(std::ilogb(largest), 126));
+}
+
 /// How many of \p wanted threads can be made besides those there are: Embree's library ends the
 /// program where it gets fewer than it was told.
 unsigned possibleThreads(unsigned wanted) {
@@ -44,11 +66,12 @@ unsigned possibleThreads(unsigned wanted) {
     return (unsigned) threads.size();
 }
 
-RTCRay toEmbree(const Ray& ray, float tfar) {
+RTCRay toEmbree(const Ray& ray, float unit, float tfar) {
+    const glm::vec3 direction = ray.direction / unit;
     RTCRay r{};
     r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
-    r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
-    r.tnear = 0.0f, r.tfar = tfar;
+    r.dir_x = direction.x, r.dir_y = direction.y, r.dir_z = direction.z;
+    r.tnear = 0.0f, r.tfar = tfar * unit;
     r.mask = ~0u;
     return r;
 }
@@ -160,15 +183,16 @@ void EmbreeBackend::fillPrimitives() {
 void EmbreeBackend::intersect(std::span<const Ray> rays, std::span<Hit> hits) {
     const auto nearest = [&](const Ray& given) -> Hit {
         const Ray ray = withoutDenormals(given);
-        if (!isTraceable(ray)) return {};
+        if (!isTaken(ray)) return {};
         constexpr float kFar = std::numeric_limits<float>::infinity();
-        QueryContext query(*geometry_, ray, kFar);
-        RTCRayHit result{toEmbree(ray, kFar), {}};
+        QueryContext query(*geometry_, ray, kFar, unitFor(ray.direction));
+        RTCRayHit result{toEmbree(ray, query.unit, kFar), {}};
         result.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(state_->scene, &query.embree, &result);
         if (decision_ == EmbreeDecision::core) return query.best;
         if (result.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-        return {result.hit.primID, result.ray.tfar, result.hit.u, result.hit.v, 0, 0};
+        const float t = flushed(result.ray.tfar / query.unit);
+        return {result.hit.primID, t, result.hit.u, result.hit.v, 0, 0};
     };
     executor_.forRange(rays.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; i++) hits[i] = nearest(rays[i]);
@@ -179,10 +203,10 @@ void EmbreeBackend::occluded(std::span<const Ray> rays, std::span<const float> m
                              std::span<uint8_t> result) {
     const auto blocked = [&](const Ray& given, float limit) -> bool {
         const Ray ray = withoutDenormals(given);
-        if (!isTraceable(ray) || !(limit > 0.0f)) return false;
-        QueryContext query(*geometry_, ray, limit);
+        if (!isTaken(ray) || !(limit > 0.0f)) return false;
+        QueryContext query(*geometry_, ray, limit, unitFor(ray.direction));
         const bool core = decision_ == EmbreeDecision::core;
-        RTCRay r = toEmbree(ray, core ? limit * kLookBehind : limit);
+        RTCRay r = toEmbree(ray, query.unit, core ? limit * kLookBehind : limit);
         rtcOccluded1(state_->scene, &query.embree, &r);
         return r.tfar < 0.0f; // Embree's mark of an occluded ray
     };

@@ -22,8 +22,8 @@ enum class EmbreeQuality { standard, low };
 /// Under EmbreeDecision::core, of the triangles that Embree proposes along the ray those that the
 /// exact test refuses are dropped, and the smallest (t, id) is the hit; what Embree fails to
 /// propose stays missed. Under either, the origin's triangle and those with the same vertices are
-/// not hit, and rays with NaN or infinity hit nothing. In single view rays do not end at the
-/// view's borders.
+/// not hit, and rays with NaN or infinity, or from beyond what Embree takes, hit nothing. In single
+/// view rays do not end at the view's borders.
 class EmbreeBackend final : public HostBackend {
 public:
     /// \p robust sets RTC_SCENE_FLAG_ROBUST. Throws CapabilityError if Embree does not start.

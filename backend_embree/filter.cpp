@@ -45,7 +45,7 @@ void filterNearest(const RTCFilterFunctionNArguments* args) {
     best.primitive = primitive;
     best.t = hit.t, best.u = hit.u, best.v = hit.v;
     // Accepting shortens the ray to the tfar that is left here; the margin keeps ties in reach.
-    RTCRayN_tfar(args->ray, args->N, 0) = best.t * kLookBehind;
+    RTCRayN_tfar(args->ray, args->N, 0) = best.t * q.unit * kLookBehind;
 }
 
 void filterOccluded(const RTCFilterFunctionNArguments* args) {

@@ -19,9 +19,10 @@ struct QueryContext {
     const Ray* ray;
     Hit best;   ///< of the candidates that core's test accepts
     float maxT; ///< occlusion: hits count below this
+    float unit; ///< Embree's t is t times this, as it gets the ray's direction divided by it
 
-    QueryContext(const FrameGeometry& frame, const Ray& query, float limit)
-        : geometry(&frame), ray(&query), maxT(limit) {
+    QueryContext(const FrameGeometry& frame, const Ray& query, float limit, float unitOfT)
+        : geometry(&frame), ray(&query), maxT(limit), unit(unitOfT) {
         rtcInitIntersectContext(&embree);
     }
 };

@@ -132,6 +132,35 @@ TEST_P(EmbreeBackendTest, NaNAndInfinityHitNothing) {
     for (const uint8_t r : result) EXPECT_EQ(r, 0);
 }
 
+/// Embree itself ends the program at numbers above 1.8e18, and loses directions below 1e-18.
+TEST_P(EmbreeBackendTest, DirectionsOfAnyLength) {
+    const FrameGeometry geometry = soupWithCopies(300);
+    const std::vector<Ray> rays = randomRays(500);
+    const std::vector<Hit> hits = trace(geometry, rays);
+    for (const int exponent : {-100, -60, 61, 64, 100, 126}) {
+        std::vector<Ray> scaled = rays;
+        std::vector<float> maxT;
+        for (size_t i = 0; i < rays.size(); i++) {
+            for (int k = 0; k < 3; k++)
+                scaled[i].direction[k] = std::ldexp(rays[i].direction[k], exponent);
+            maxT.push_back(hits[i].found() ? std::ldexp(hits[i].t, -exponent) * 1.01f : 1e30f);
+        }
+        const std::vector<Hit> found = trace(geometry, scaled);
+        std::vector<uint8_t> occluded(rays.size());
+        backend_.occluded(scaled, maxT, occluded);
+        for (size_t i = 0; i < rays.size(); i++) {
+            const float t = std::ldexp(hits[i].t, -exponent);
+            if (hits[i].found() && !(std::abs(t) > 1e-37f)) continue; // below float's range
+            ASSERT_EQ(found[i].primitive, hits[i].primitive) << exponent;
+            ASSERT_EQ(found[i].t, hits[i].found() ? t : 0.0f) << exponent;
+            ASSERT_EQ(occluded[i] != 0, hits[i].found()) << exponent;
+        }
+    }
+    std::vector<Ray> far = rays;
+    for (Ray& ray : far) ray.origin.x = 1e30f;
+    for (const Hit& hit : trace(geometry, far)) EXPECT_FALSE(hit.found());
+}
+
 TEST_P(EmbreeBackendTest, RebuildsAndTellsItsMemory) {
     const FrameGeometry big = soupWithCopies(20000), small = soupWithCopies(10);
     const auto bytes = [&] {
