@@ -89,13 +89,36 @@ std::optional<ExactT> intersectExactly(const Ray& ray, const Triangle& triangle)
     return t;
 }
 
+namespace {
+
+bool isBelow(const ExactT& t, float limit) {
+    return t.numerator < Dyadic(limit) * t.denominator;
+}
+bool isAbove(const ExactT& t, float limit) {
+    return Dyadic(limit) * t.denominator < t.numerator;
+}
+
+} // namespace
+
 double relativeError(float t, const ExactT& exact) {
     if (!std::isfinite(t)) return std::numeric_limits<double>::infinity();
     const Dyadic difference = Dyadic(t) * exact.denominator - exact.numerator;
     if (difference.sign() == 0) return 0.0;
-    if (t == 0.0f && exact.numerator < Dyadic(FLT_MIN) * exact.denominator) return 0.0;
+    if (t == 0.0f && isBelow(exact, FLT_MIN)) return 0.0;
+    if (t == FLT_MAX && isAbove(exact, FLT_MAX)) return 0.0;
     if (exact.numerator.sign() == 0) return std::numeric_limits<double>::infinity();
     return std::abs(Dyadic::quotient(difference, exact.numerator));
+}
+
+double ulpError(float t, const ExactT& exact) {
+    // exact = m 2^e with m in [0.5, 1), and an ulp of it is 2^(e - 24).
+    int exponent = 0;
+    return relativeError(t, exact) * std::frexp(exact.toDouble(), &exponent) * 0x1p24;
+}
+
+bool beyondFloats(const ExactT& a, const ExactT& b) {
+    return (isBelow(a, FLT_MIN) && isBelow(b, FLT_MIN)) ||
+           (isAbove(a, FLT_MAX) && isAbove(b, FLT_MAX));
 }
 
 bool exceeds(const ExactT& t, const ExactT& nearest, float relative) {

@@ -75,8 +75,15 @@ struct ExactT {
 /// with it.) A ray parallel to the plane and a triangle without area are no hit; t = 0 is one.
 std::optional<ExactT> intersectExactly(const Ray& ray, const Triangle& triangle);
 
-/// (t - exact) / exact, as a magnitude. Zero where an exact t below FLT_MIN was flushed to zero.
+/// (t - exact) / exact, as a magnitude. Zero where an exact t below FLT_MIN was flushed to zero, or
+/// one above FLT_MAX is FLT_MAX.
 double relativeError(float t, const ExactT& exact);
+
+/// The same error in units in the last place of a float that is \p exact.
+double ulpError(float t, const ExactT& exact);
+
+/// Whether floats do not tell the two apart because both are below FLT_MIN or above FLT_MAX.
+bool beyondFloats(const ExactT& a, const ExactT& b);
 
 /// Whether \p t exceeds \p nearest by more than \p relative * t.
 bool exceeds(const ExactT& t, const ExactT& nearest, float relative);

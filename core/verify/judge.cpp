@@ -98,18 +98,19 @@ Verdict Judge::decide(const Ray& ray, std::span<const uint32_t> candidates) cons
 }
 
 Judgement Judge::judge(const Ray& ray, const Verdict& truth, const Hit& hit) const {
-    if (!hit.found()) return {truth.found() ? Grade::missed : Grade::right, 0.0};
-    if (!truth.found()) return {Grade::falseHit, 0.0};
+    if (!hit.found()) return {truth.found() ? Grade::missed : Grade::right};
+    if (!truth.found()) return {Grade::falseHit};
     if (hit.primitive >= geometry_.triangles.size() || skipped(ray, hit.primitive) ||
         inHole(ray, hit.primitive))
-        return {Grade::wrongPrimitive, 0.0};
+        return {Grade::wrongPrimitive};
     const auto t = intersectExactly(ray, geometry_.triangles[hit.primitive]);
-    if (!t) return {Grade::wrongPrimitive, 0.0};
+    if (!t) return {Grade::wrongPrimitive};
 
-    Judgement judgement{Grade::right, relativeError(hit.t, *t)};
+    Judgement judgement{Grade::right, relativeError(hit.t, *t), ulpError(hit.t, *t)};
     if (!std::binary_search(truth.primitives.begin(), truth.primitives.end(), hit.primitive)) {
         const auto nearest = intersectExactly(ray, geometry_.triangles[truth.primitives[0]]);
-        if (exceeds(*t, *nearest, kRelativeErrorT)) judgement.grade = Grade::wrongPrimitive;
+        if (exceeds(*t, *nearest, kRelativeErrorT) && !beyondFloats(*t, *nearest))
+            judgement.grade = Grade::wrongPrimitive;
     }
     return judgement;
 }

@@ -22,15 +22,18 @@ struct Verdict {
 /// How an answer compares with the truth.
 enum class Grade {
     right,
-    missed,        ///< there is a hit, and none was given
-    falseHit,      ///< there is no hit, and one was given
-    wrongPrimitive ///< the given primitive is not hit, or another is nearer by more than err(t)
+    missed,   ///< there is a hit, and none was given
+    falseHit, ///< there is no hit, and one was given
+    /// The given primitive is not hit, or another is nearer by more than err(t); not where both
+    /// are so near or so far, in units of the direction, that t leaves float's range.
+    wrongPrimitive
 };
 
 struct Judgement {
     Grade grade = Grade::right;
     /// |t given - exact t| / exact t of the given primitive, where that is hit; else 0.
     double relativeTError = 0.0;
+    double ulpTError = 0.0; ///< the same in units in the last place
 };
 
 /// Decides by exact arithmetic what rays hit. It shares no code with core/trace, which it judges:

@@ -15,8 +15,8 @@ namespace dirt {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kNames{"primary", "diffuse", "vertex",
-                                                 "edge",    "axis",    "grazing"};
+constexpr std::array<std::string_view, kRayKinds.size()> kNames{
+    "primary", "diffuse", "vertex", "edge", "axis", "grazing", "plane", "border", "wild"};
 
 /// Unit vectors along and across a triangle, and its normal.
 struct TriangleFrame {
@@ -40,15 +40,6 @@ glm::dvec3 pointOnTriangle(const Triangle& t, RayRandom& random) {
     return glm::dvec3(t.a) * (1.0 - u - v) + glm::dvec3(t.b) * u + glm::dvec3(t.c) * v;
 }
 
-/// The geometry has no denormals, and neither do its rays (G7). Negative zeros stay.
-Ray withoutDenormals(Ray ray) {
-    for (int i = 0; i < 3; i++) {
-        if (flushed(ray.origin[i]) == 0.0f) ray.origin[i] *= 0.0f;
-        if (flushed(ray.direction[i]) == 0.0f) ray.direction[i] *= 0.0f;
-    }
-    return ray;
-}
-
 Ray towards(glm::vec3 origin, glm::vec3 target) {
     return {origin, target - origin, kNoPrimitive};
 }
@@ -65,15 +56,30 @@ std::optional<RayKind> rayKindByName(std::string_view name) {
     return (RayKind) (found - kNames.begin());
 }
 
+std::string rayKindNames() {
+    std::string names;
+    for (const std::string_view name : kNames) names.append(names.empty() ? "" : ",").append(name);
+    return names;
+}
+
+Ray withoutDenormals(Ray ray) {
+    for (int i = 0; i < 3; i++) {
+        if (flushed(ray.origin[i]) == 0.0f) ray.origin[i] *= 0.0f;
+        if (flushed(ray.direction[i]) == 0.0f) ray.direction[i] *= 0.0f;
+    }
+    return ray;
+}
+
 RaySource::RaySource(const FrameGeometry& geometry, const Camera& camera,
-                     const GridSettings& settings, uint32_t seed)
-    : geometry_(geometry), seed_(seed), lo_(std::numeric_limits<float>::max()),
-      hi_(-std::numeric_limits<float>::max()), basis_(cameraBasis(camera)) {
+                     const GridSettings& settings, uint32_t seed, std::vector<uint32_t> focus)
+    : geometry_(geometry), seed_(seed), focus_(std::move(focus)),
+      lo_(std::numeric_limits<float>::max()), hi_(-std::numeric_limits<float>::max()),
+      views_(makeViews(settings, camera)), basis_(cameraBasis(camera)) {
     for (const Triangle& t : geometry.triangles) {
         lo_ = glm::min(lo_, glm::min(t.a, glm::min(t.b, t.c)));
         hi_ = glm::max(hi_, glm::max(t.a, glm::max(t.b, t.c)));
     }
-    if (settings.mode == ViewMode::single) view_ = makeViews(settings, camera)[0];
+    if (settings.mode == ViewMode::single) view_ = views_[0];
     tanY_ = std::tan(camera.verticalFov * (std::numbers::pi / 360.0));
     tanX_ = tanY_ * settings.width / settings.height;
 }
@@ -94,6 +100,8 @@ glm::vec3 RaySource::pointInBox(RayRandom& random) const {
 }
 
 const Triangle& RaySource::anyTriangle(RayRandom& random) const {
+    if (!focus_.empty() && random.below(2))
+        return geometry_.triangles[focus_[random.below(focus_.size())]];
     return geometry_.triangles[random.below(geometry_.triangles.size())];
 }
 
@@ -228,6 +236,12 @@ Ray RaySource::make(RayKind kind, uint32_t index) const {
         return axis(index);
     case RayKind::grazing:
         return grazing(index);
+    case RayKind::plane:
+        return plane(index);
+    case RayKind::border:
+        return border(index);
+    case RayKind::wild:
+        return wild(index);
     case RayKind::diffuse:
         break;
     }

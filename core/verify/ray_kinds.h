@@ -9,7 +9,9 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace dirt {
 
@@ -20,13 +22,22 @@ enum class RayKind {
     vertex,  ///< from random points of the scene's box to a random vertex
     edge,    ///< likewise, to a random point of a random edge
     axis,    ///< along a coordinate axis, from random points or with vertices' coordinates
-    grazing  ///< from beside a random triangle, within 1e-4 rad of its plane
+    grazing, ///< from beside a random triangle, within 1e-4 rad of its plane
+    plane,   ///< in the plane of a random triangle, exactly where floats allow that
+    border,  ///< on the borders and corners of tiles, exactly
+    wild     ///< like another kind's, of any length; with zeros of both signs, denormals, NaN
 };
 inline constexpr std::array kRayKinds{RayKind::primary, RayKind::diffuse, RayKind::vertex,
-                                      RayKind::edge,    RayKind::axis,    RayKind::grazing};
+                                      RayKind::edge,    RayKind::axis,    RayKind::grazing,
+                                      RayKind::plane,   RayKind::border,  RayKind::wild};
 
 std::string_view rayKindName(RayKind kind);
 std::optional<RayKind> rayKindByName(std::string_view name);
+/// "primary,diffuse, ..."
+std::string rayKindNames();
+
+/// The ray as backends take it: zeros in place of denormals (G7). Negative zeros stay.
+Ray withoutDenormals(Ray ray);
 
 /// Makes rays. A ray is a function of (geometry, camera, image size, seed, kind, index) alone.
 ///
@@ -36,9 +47,10 @@ class RaySource {
 public:
     static constexpr int kTries = 256;
 
-    /// \p geometry must outlive the source and hold at least one triangle.
+    /// \p geometry must outlive the source and hold at least one triangle. Where a ray is aimed at
+    /// a triangle, it is every second time one of \p focus, if there are any.
     RaySource(const FrameGeometry& geometry, const Camera& camera, const GridSettings& settings,
-              uint32_t seed);
+              uint32_t seed, std::vector<uint32_t> focus = {});
 
     Ray primary(uint32_t index) const;
 
@@ -60,6 +72,18 @@ public:
 
     Ray grazing(uint32_t index) const;
 
+    /// Along an edge, or a power of two of it, from a corner or from beside it.
+    Ray plane(uint32_t index) const;
+
+    /// By index mod 4: 0 starts on a border and stays in its plane, 1 runs along a corner of tiles,
+    /// so through the eye or from it, 2 starts on a border and leaves it, 3 passes exactly through
+    /// a corner, where a float origin allows that.
+    Ray border(uint32_t index) const;
+
+    /// By index mod 8: 0 to 4 are rays of another kind with a direction as long as any float, 5 has
+    /// a denormal in its direction, 6 nothing else there, 7 a NaN or an infinity anywhere.
+    Ray wild(uint32_t index) const;
+
     /// Any kind but diffuse.
     Ray make(RayKind kind, uint32_t index) const;
 
@@ -72,7 +96,9 @@ private:
 
     const FrameGeometry& geometry_;
     uint32_t seed_;
+    std::vector<uint32_t> focus_;
     glm::vec3 lo_, hi_;          ///< the scene's box
+    std::vector<View> views_;    ///< of the grid
     std::optional<View> view_;   ///< in single view
     CameraBasis basis_;          ///< world space
     double tanX_ = 0, tanY_ = 0; ///< half the image's size at depth one

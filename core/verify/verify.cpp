@@ -1,6 +1,7 @@
 #include "core/verify/verify.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <chrono>
 
 namespace dirt {
@@ -24,6 +25,15 @@ void count(const Judgement& judgement, BackendReport& report) {
     report.falseHits += judgement.grade == Grade::falseHit;
     report.wrongPrimitive += judgement.grade == Grade::wrongPrimitive;
     report.maxRelativeTError = std::max(report.maxRelativeTError, judgement.relativeTError);
+    report.maxUlpTError = std::max(report.maxUlpTError, judgement.ulpTError);
+}
+
+/// Up to where a ray is asked for any hit: to the end, or to just before or behind the nearest,
+/// where that is a normal float. 2^-20 is far more than the error of t.
+float limitFor(const Verdict& truth, uint32_t index) {
+    const bool isNormal = truth.found() && truth.t > 0x1p-120 && truth.t < 0x1p120;
+    if (!isNormal || index % 3 == 0) return FLT_MAX;
+    return (float) (truth.t * (index % 3 == 1 ? 1.0 - 0x1p-20 : 1.0 + 0x1p-20));
 }
 
 } // namespace
@@ -32,7 +42,8 @@ Verifier::Verifier(const FrameGeometry& geometry, const Camera& camera, const Gr
                    std::vector<Tracer*> backends, const VerifySettings& settings,
                    Executor& executor)
     : geometry_(geometry), backends_(std::move(backends)), settings_(settings), executor_(executor),
-      source_(geometry, camera, grid, settings.seed), scope_(grid, camera), judge_(geometry) {}
+      source_(geometry, camera, grid, settings.seed, settings.focus), scope_(grid, camera),
+      judge_(geometry) {}
 
 KindReport Verifier::run(RayKind kind) {
     KindReport report;
@@ -105,6 +116,7 @@ std::vector<uint32_t> Verifier::select(const Batch& batch, KindReport& report) c
         selected.push_back(i);
     }
     report.rays += batch.rays.size();
+    for (const Hit& hit : batch.hits[0]) report.hits += hit.found();
     return selected;
 }
 
@@ -118,7 +130,7 @@ void Verifier::judge(const Batch& batch, const std::vector<uint32_t>& selected,
     std::vector<Outcome> outcomes(selected.size());
     executor_.forRange(selected.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t s = begin; s < end; s++) {
-            const Ray& ray = batch.rays[selected[s]];
+            const Ray ray = withoutDenormals(batch.rays[selected[s]]);
             Outcome& outcome = outcomes[s];
             outcome.truth = judge_.nearest(ray);
             outcome.counts = scope_.counts(ray, outcome.truth, geometry_);
@@ -126,6 +138,8 @@ void Verifier::judge(const Batch& batch, const std::vector<uint32_t>& selected,
                 outcome.judgements.push_back(judge_.judge(ray, outcome.truth, hits[selected[s]]));
         }
     });
+    std::vector<uint32_t> counted;
+    std::vector<Verdict> truths;
     for (size_t s = 0; s < selected.size(); s++) {
         const Outcome& outcome = outcomes[s];
         if (!outcome.counts) {
@@ -133,14 +147,51 @@ void Verifier::judge(const Batch& batch, const std::vector<uint32_t>& selected,
             report.outside++;
             continue;
         }
+        const uint32_t i = selected[s];
+        counted.push_back(i);
+        truths.push_back(outcome.truth);
         for (size_t b = 0; b < backends_.size(); b++)
             count(outcome.judgements[b], report.backends[b]);
-        if (outcome.judgements[0].grade == Grade::right) continue;
-        if (report.wrong.size() >= settings_.shownWrongAnswers) continue;
-        const uint32_t i = selected[s];
-        report.wrong.push_back({report.kind, batch.indices[i], batch.rays[i], batch.hits[0][i],
-                                outcome.truth, outcome.judgements[0].grade});
+        if (outcome.judgements[0].grade != Grade::right)
+            keep({report.kind,
+                  batch.indices[i],
+                  batch.rays[i],
+                  batch.hits[0][i],
+                  outcome.truth,
+                  outcome.judgements[0].grade,
+                  {}},
+                 report);
     }
+    if (settings_.anyHits) judgeAnyHits(batch, counted, truths, report);
+}
+
+void Verifier::judgeAnyHits(const Batch& batch, const std::vector<uint32_t>& counted,
+                            const std::vector<Verdict>& truths, KindReport& report) {
+    std::vector<Ray> rays;
+    std::vector<float> maxT;
+    std::vector<uint8_t> given(counted.size());
+    for (size_t i = 0; i < counted.size(); i++) {
+        rays.push_back(batch.rays[counted[i]]);
+        maxT.push_back(limitFor(truths[i], batch.indices[counted[i]]));
+    }
+    for (size_t b = 0; b < backends_.size(); b++) {
+        backends_[b]->occluded(rays, maxT, given);
+        for (size_t i = 0; i < counted.size(); i++) {
+            const Verdict& truth = truths[i];
+            if (truth.found() && truth.t > FLT_MAX) continue; // t as a float is not below any
+            const bool right = truth.found() && truth.t < maxT[i];
+            if ((given[i] != 0) == right) continue;
+            const Grade grade = right ? Grade::missed : Grade::falseHit;
+            count({grade}, report.backends[b]);
+            if (b == 0)
+                keep({report.kind, batch.indices[counted[i]], rays[i], {}, truth, grade, maxT[i]},
+                     report);
+        }
+    }
+}
+
+void Verifier::keep(const WrongAnswer& wrong, KindReport& report) const {
+    if (report.wrong.size() < settings_.shownWrongAnswers) report.wrong.push_back(wrong);
 }
 
 } // namespace dirt

@@ -7,6 +7,7 @@
 #include "core/verify/view_scope.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace dirt {
@@ -17,6 +18,7 @@ struct BackendReport {
     uint64_t falseHits = 0;
     uint64_t wrongPrimitive = 0;
     double maxRelativeTError = 0.0; ///< over the judged rays whose given primitive is hit
+    double maxUlpTError = 0.0;      ///< likewise, in units in the last place
     double traceMs = 0.0;
 
     uint64_t errors() const { return missed + falseHits + wrongPrimitive; }
@@ -30,12 +32,14 @@ struct WrongAnswer {
     Hit given;
     Verdict truth;
     Grade grade = Grade::right;
+    std::optional<float> maxT; ///< it was asked only whether anything is hit before
 };
 
 /// The rays of one kind, cast through every backend.
 struct KindReport {
     RayKind kind = RayKind::primary;
     uint64_t rays = 0;      ///< cast and counted
+    uint64_t hits = 0;      ///< given by the first backend, of all that were cast
     uint64_t outside = 0;   ///< cast and not counted: single view does not answer for them
     uint64_t disagreed = 0; ///< the backends give different primitives; all judged
     uint64_t agreed = 0;    ///< judged of those on which they agree
@@ -48,6 +52,8 @@ struct VerifySettings {
     uint32_t agreeing = 10'000;     ///< judged of those on which all backends agree, per kind
     uint32_t shownWrongAnswers = 5; ///< kept in KindReport::wrong
     uint32_t seed = 0;
+    std::vector<uint32_t> focus{}; ///< triangles that more rays are aimed at (RaySource)
+    bool anyHits = false; ///< judged rays are also asked whether they hit anything before some t
 };
 
 /// Casts rays through backends and lets exact arithmetic decide who is right.
@@ -77,6 +83,10 @@ private:
     /// Positions in the batch of the rays to judge.
     std::vector<uint32_t> select(const Batch& batch, KindReport& report) const;
     void judge(const Batch& batch, const std::vector<uint32_t>& selected, KindReport& report);
+    /// Asks the rays of \p batch at \p counted, of which \p truths is known, for any hit.
+    void judgeAnyHits(const Batch& batch, const std::vector<uint32_t>& counted,
+                      const std::vector<Verdict>& truths, KindReport& report);
+    void keep(const WrongAnswer& wrong, KindReport& report) const;
 
     const FrameGeometry& geometry_;
     std::vector<Tracer*> backends_;

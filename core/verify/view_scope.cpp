@@ -3,6 +3,9 @@
 #include "core/trace/view_cone.h"
 #include "core/verify/exact.h"
 
+#include <algorithm>
+#include <cfloat>
+
 namespace dirt {
 
 namespace {
@@ -26,7 +29,8 @@ bool ViewScope::counts(const Ray& ray, const Verdict& truth, const FrameGeometry
     if (!view_) return true;
     if (!inside(*view_, ray, {Dyadic(0.0), Dyadic(1.0)})) return false;
     if (!truth.found()) return true;
-    return ViewCone(*view_).part(ray).holds((float) truth.t) &&
+    const auto t = (float) std::min(truth.t, (double) FLT_MAX);
+    return ViewCone(*view_).part(ray).holds(t) &&
            inside(*view_, ray,
                   *intersectExactly(ray, geometry.triangles[truth.primitives.front()]));
 }

@@ -3,7 +3,9 @@
 #include "core/verify/ray_kinds.h"
 #include "tests/verify/rational_oracle.h"
 
+#include <cfloat>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -66,8 +68,9 @@ struct Fixture {
           source(geometry, camera(), settings, seed) {}
 };
 
+/// Bit by bit: there are rays with NaN.
 bool sameRay(const Ray& a, const Ray& b) {
-    return a.origin == b.origin && a.direction == b.direction && a.skip == b.skip;
+    return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 /// Whether the line through the ray passes exactly through \p p, at some t > 0.
@@ -124,7 +127,7 @@ TEST(RayKinds, AreFunctionsOfSeedAndIndex) {
             // From the back: what was drawn before must not matter.
             const Ray ray = one.source.make(kind, i);
             ASSERT_TRUE(sameRay(again.source.make(kind, 199 - i), one.source.make(kind, 199 - i)));
-            ASSERT_TRUE(isTraceable(ray));
+            ASSERT_TRUE(isTraceable(ray) || kind == RayKind::wild);
             same += sameRay(ray, other.source.make(kind, i)) ||
                     sameRay(ray, one.source.make(kind, i + 1));
         }
@@ -238,6 +241,90 @@ TEST(RayKinds, GrazingRaysLieWithinTheAngle) {
         nearPlane += smallest < 1e-6;
     }
     EXPECT_GT(nearPlane, kCount / 10) << "angles should span magnitudes";
+}
+
+TEST(RayKinds, MostPlaneRaysLieInAPlaneExactly) {
+    const Fixture f;
+    using namespace test;
+    uint32_t exact = 0;
+    for (uint32_t i = 0; i < kCount; i++) {
+        const Ray ray = f.source.plane(i);
+        const test::RationalVec o = test::rational(ray.origin), d = test::rational(ray.direction);
+        exact += anyTriangle(f.geometry, [&](const Triangle& t) {
+            const auto a = test::rational(t.a);
+            const auto b = test::rational(t.b) - a, c = test::rational(t.c) - a;
+            return test::determinant(o - a, b, c) == 0 && test::determinant(d, b, c) == 0;
+        });
+    }
+    EXPECT_GT(exact, kCount * 9 / 10);
+}
+
+TEST(RayKinds, BorderRaysLieOnBordersExactly) {
+    for (const ViewMode mode : {ViewMode::full, ViewMode::single}) {
+        const Fixture f(mode);
+        const std::vector<View> views = makeViews(f.settings, camera());
+        const auto onBorder = [&](glm::vec3 p) {
+            return std::any_of(views.begin(), views.end(), [&](const View& view) {
+                const glm::dvec3 v(view.toView(p));
+                const auto holds = [&](const std::vector<float>& borders, double x) {
+                    return std::any_of(borders.begin(), borders.end(),
+                                       [&](float slope) { return x == slope * v.z; });
+                };
+                return holds(view.s, v.x) || holds(view.t, v.y);
+            });
+        };
+        for (uint32_t i = 0; i < kCount; i++) {
+            const Ray ray = f.source.border(i);
+            if (i % 4 == 3) continue;
+            ASSERT_TRUE(onBorder(ray.origin)) << i;
+            ASSERT_TRUE(i % 4 == 2 || onBorder(ray.direction)) << i;
+            if (i % 4 != 1) continue;
+            ASSERT_EQ(glm::cross(glm::dvec3(ray.origin), glm::dvec3(ray.direction)),
+                      glm::dvec3(0.0));
+        }
+    }
+}
+
+TEST(RayKinds, WildRaysSpanWhatFloatsHold) {
+    const Fixture f;
+    uint32_t untraceable = 0, minusZero = 0, denormals = 0;
+    float least = FLT_MAX, most = 0.0f;
+    for (uint32_t i = 0; i < kCount; i++) {
+        const Ray ray = f.source.wild(i);
+        untraceable += !isTraceable(ray);
+        for (int k = 0; k < 3; k++) {
+            const float d = ray.direction[k];
+            minusZero += d == 0.0f && std::signbit(d);
+            denormals += d != 0.0f && std::abs(d) < FLT_MIN;
+        }
+        if (i % 8 >= 5) continue;
+        const float length = std::max(
+            {std::abs(ray.direction.x), std::abs(ray.direction.y), std::abs(ray.direction.z)});
+        least = std::min(least, length), most = std::max(most, length);
+    }
+    EXPECT_EQ(untraceable, kCount / 8);
+    EXPECT_GT(minusZero, kCount / 100);
+    EXPECT_GE(denormals, kCount / 8 * 4);
+    EXPECT_LT(least, 1e-37f);
+    EXPECT_GT(most, 1e37f);
+}
+
+TEST(RayKinds, HalfAreAimedAtTheFocus) {
+    const Fixture f;
+    const RaySource source(f.geometry, camera(), f.settings, 0, {5});
+    const Triangle& focus = f.geometry.triangles[5];
+    const auto aimed = [&](const RaySource& rays) {
+        uint32_t count = 0;
+        for (uint32_t i = 0; i < kCount; i += 2) {
+            const Ray ray = rays.vertex(i);
+            count += passesThrough(ray, test::rational(focus.a)) ||
+                     passesThrough(ray, test::rational(focus.b)) ||
+                     passesThrough(ray, test::rational(focus.c));
+        }
+        return count;
+    };
+    EXPECT_LT(aimed(f.source), kCount / 4);
+    EXPECT_GT(aimed(source), kCount / 4);
 }
 
 TEST(RayKinds, InSingleViewOriginsAndTargetsLieInside) {
