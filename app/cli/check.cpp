@@ -63,11 +63,12 @@ void printExamples(std::FILE* file, const CheckReport& report, const std::string
 }
 
 /// All that shapes the passes, said or not.
-std::string commandOf(const CheckOptions& options, const Input& input) {
+std::string commandOf(const CheckOptions& options, const CommonOptions& common,
+                      const Input& input) {
     const RenderSettings& settings = input.settings;
     const char* const rayTypes[] = {"default", "diffuse", "glossy", "specular", "visibility"};
     return "dirt check " + options.common.scene + " --backends " + options.backends[0] + "," +
-           options.backends[1] + structureOptions(input) +
+           options.backends[1] + structureOptions(input, common) +
            (settings.primary == Primary::raster ? " --primary raster" : " --primary traced") +
            (settings.fetch == Fetch::raster ? " --fetch raster" : " --fetch direct") +
            (settings.visibility == LightVisibility::traced ? " --visibility traced"
@@ -110,7 +111,7 @@ bool runCheck(const CheckOptions& options) {
 
     std::FILE* const table = options.json ? stderr : stdout;
     if (!options.json || !options.common.quiet) printRows(table, report, options);
-    printExamples(stderr, report, commandOf(options, input));
+    printExamples(stderr, report, commandOf(options, common, input));
     if (options.json) {
         Json json = reportOf(input, *second, *executor, {});
         json.erase("spp");

@@ -67,7 +67,7 @@ constexpr Scope kScopes[] = {
     {"--quiet", kAll, kAny},
     {"--no-cache", kAll, kAny},
     {"--strict", kAll, kAny},
-    {"--materials", kAll, kAny},
+    {"--materials", kShading, kAny},
 };
 
 Command commandOf(const std::string& name) {

@@ -1,12 +1,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/option_values.h"
+#include "app/cli/verify_options.h"
 #include "app/cli/verify_report.h"
-#include "core/io/error.h"
-
-#ifdef DIRT_HAVE_EMBREE
-#include "backend_embree/embree_backend.h"
-#endif
 
 #include <memory>
 #include <vector>
@@ -15,37 +11,7 @@ namespace dirt {
 
 namespace {
 
-struct VerifyOptions {
-    CommonOptions common;
-    VerifySettings settings;
-    std::vector<std::string> kinds;
-    bool json = false;
-};
-
-std::vector<RayKind> kindsOf(const VerifyOptions& options) {
-    if (options.kinds.empty()) return {kRayKinds.begin(), kRayKinds.end()};
-    std::vector<RayKind> kinds;
-    for (const std::string& name : options.kinds) {
-        const auto kind = rayKindByName(name);
-        if (!kind)
-            throw InputError("--kinds: '" + name + "' is none of primary, diffuse, vertex, edge, " +
-                             "axis, grazing");
-        kinds.push_back(*kind);
-    }
-    return kinds;
-}
-
-/// Embree as its users get it, by default and robust.
-std::vector<std::unique_ptr<Backend>> makePeers([[maybe_unused]] Executor& executor) {
-#ifdef DIRT_HAVE_EMBREE
-    std::vector<std::unique_ptr<Backend>> peers;
-    for (const bool robust : {false, true})
-        peers.push_back(std::make_unique<EmbreeBackend>(executor, robust, EmbreeDecision::plain));
-    return peers;
-#else
-    throw CapabilityError("verify compares with Embree, and this build is without it");
-#endif
-}
+constexpr uint32_t kRays = 1'000'000; ///< of each kind, where nothing else is said
 
 /// Whether the backend under test answered every ray rightly.
 bool runVerify(const VerifyOptions& options) {
@@ -60,16 +26,15 @@ bool runVerify(const VerifyOptions& options) {
 
     std::vector<Tracer*> tracers{tested.get()};
     for (const auto& peer : peers) tracers.push_back(peer.get());
-    std::vector<std::string> names;
     std::vector<PassTime> build; // of the first
     for (Tracer* tracer : tracers) {
         const auto passes = tracer->build(geometry, camera, grid);
         if (tracer == tested.get()) build = passes;
-        names.push_back(tracer->name());
     }
-    names[0] = "dirt " + names[0];
+    const std::vector<std::string> names = verifiedNames(tracers);
 
-    VerifySettings settings = options.settings;
+    VerifySettings settings;
+    settings.rays = options.rays.value_or(kRays);
     settings.seed = input.settings.seed;
     Verifier verifier(geometry, camera, grid, tracers, settings, *executor);
     std::FILE* const table = options.json ? stderr : stdout;
@@ -80,7 +45,10 @@ bool runVerify(const VerifyOptions& options) {
     for (const RayKind kind : kinds) {
         const KindReport report = verifier.run(kind);
         if (printed) printKind(table, report, names);
-        printWrongAnswers(stderr, report, options.common.scene, input, settings);
+        printWrongAnswers(stderr, report.wrong);
+        if (report.backends[0].errors() > 0)
+            printAgain(stderr, verifyCommand(options.common, input, settings) + " --kinds " +
+                                   std::string(rayKindName(kind)));
         results[std::string(rayKindName(kind))] = kindJson(report, names);
         right = right && report.backends[0].errors() == 0;
     }
@@ -99,14 +67,20 @@ void addVerify(CLI::App& program, int& status) {
         "verify", "casts rays through the structure and through Embree, and judges exactly");
     const auto options = std::make_shared<VerifyOptions>();
     addCommonOptions(*command, options->common);
-    addInteger(*command, "--rays", 1, 100'000'000, "rays of each kind (default: 1000000)",
-               [options](int64_t n) { options->settings.rays = (uint32_t) n; });
-    command
-        ->add_option("--kinds", options->kinds,
-                     "of primary,diffuse,vertex,edge,axis,grazing (default: all)")
+    addInteger(*command, "--rays", 1, 100'000'000,
+               "rays of each kind (default: 1000000; 1000 of each variant)",
+               [options](int64_t n) { options->rays = (uint32_t) n; });
+    command->add_option("--kinds", options->kinds, "of " + rayKindNames() + " (default: all)")
+        ->delimiter(',');
+    command->add_flag("--extremes", options->extremes,
+                      "verify hard variants of the scene, at 64x64 pixels unless --size is given");
+    command->add_option("--only", options->only, "these variants alone, by their names")
         ->delimiter(',');
     command->add_flag("--json", options->json, "print one JSON object on standard output");
-    command->callback([options, &status] { status = runVerify(*options) ? 0 : 1; });
+    command->callback([options, &status] {
+        extremesOf(*options); // or there is an unknown one
+        status = (options->extremes ? runExtremes(*options) : runVerify(*options)) ? 0 : 1;
+    });
 }
 
 } // namespace dirt

@@ -22,22 +22,8 @@ const char* describe(Grade grade) {
     return "";
 }
 
-/// The command that casts the same rays, with everything said that shapes them.
-std::string commandFor(RayKind kind, const std::string& scene, const Input& input,
-                       const VerifySettings& settings) {
-    std::string command = "dirt verify " + scene;
-    command += " --kinds " + std::string(rayKindName(kind));
-    command += " --rays " + std::to_string(settings.rays);
-    command += " --seed " + std::to_string(settings.seed);
-    return command + structureOptions(input);
-}
-
-Json countsJson(const BackendReport& backend) {
-    return {{"missed", backend.missed},
-            {"false_hits", backend.falseHits},
-            {"wrong_primitive", backend.wrongPrimitive},
-            {"max_relative_t_error", backend.maxRelativeTError},
-            {"trace_ms", backend.traceMs}};
+std::string primitiveText(uint32_t id) {
+    return id == kNoPrimitive ? "none" : std::to_string(id);
 }
 
 } // namespace
@@ -60,26 +46,58 @@ void printKind(std::FILE* file, const KindReport& report, const std::vector<std:
     std::fflush(file);
 }
 
-void printWrongAnswers(std::FILE* file, const KindReport& report, const std::string& scene,
-                       const Input& input, const VerifySettings& settings) {
-    for (const WrongAnswer& wrong : report.wrong) {
-        const auto primitive = [](uint32_t id) {
-            return id == kNoPrimitive ? std::string("none") : std::to_string(id);
-        };
+void printWrongAnswers(std::FILE* file, const std::vector<WrongAnswer>& answers) {
+    for (const WrongAnswer& wrong : answers) {
         const glm::vec3 o = wrong.ray.origin, d = wrong.ray.direction;
         std::fprintf(file, "%s: ray %u of kind %s, in the grid frame:\n", describe(wrong.grade),
                      wrong.index, std::string(rayKindName(wrong.kind)).c_str());
         std::fprintf(file, "  origin %a %a %a  direction %a %a %a  skip %s\n", o.x, o.y, o.z, d.x,
-                     d.y, d.z, primitive(wrong.ray.skip).c_str());
+                     d.y, d.z, primitiveText(wrong.ray.skip).c_str());
+        if (wrong.maxT)
+            std::fprintf(file, "  asked for any hit before t %a, given: %s;", *wrong.maxT,
+                         wrong.grade == Grade::missed ? "none" : "there is one");
+        else
+            std::fprintf(file, "  given: primitive %s, t %a;",
+                         primitiveText(wrong.given.primitive).c_str(), wrong.given.t);
         std::fprintf(
-            file, "  given: primitive %s, t %a;  exact: primitive %s, t %.17g\n",
-            primitive(wrong.given.primitive).c_str(), wrong.given.t,
-            primitive(wrong.truth.found() ? wrong.truth.primitives[0] : kNoPrimitive).c_str(),
+            file, "  exact: primitive %s, t %.17g\n",
+            primitiveText(wrong.truth.found() ? wrong.truth.primitives[0] : kNoPrimitive).c_str(),
             wrong.truth.t);
     }
-    if (!report.wrong.empty())
-        std::fprintf(file, "  again: %s\n",
-                     commandFor(report.kind, scene, input, settings).c_str());
+}
+
+void printAgain(std::FILE* file, const std::string& command) {
+    std::fprintf(file, "  again: %s\n", command.c_str());
+}
+
+std::string verifyCommand(const CommonOptions& options, const Input& input,
+                          const VerifySettings& settings) {
+    constexpr const char* kBackends[] = {"cpu", "gl", "embree"};
+    std::string command = "dirt verify " + options.scene + " --backend ";
+    command += kBackends[(size_t) options.backend];
+    command += " --rays " + std::to_string(settings.rays);
+    command += " --seed " + std::to_string(settings.seed);
+    return command + structureOptions(input, options);
+}
+
+std::vector<std::string> verifiedNames(const std::vector<Tracer*>& backends) {
+    std::vector<std::string> names;
+    for (const Tracer* backend : backends) names.push_back(backend->name());
+    names[0] = "dirt " + names[0];
+    return names;
+}
+
+std::string jsonKey(std::string name) {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+}
+
+Json countsJson(const BackendReport& backend) {
+    return {{"missed", backend.missed},
+            {"false_hits", backend.falseHits},
+            {"wrong_primitive", backend.wrongPrimitive},
+            {"max_relative_t_error", backend.maxRelativeTError},
+            {"trace_ms", backend.traceMs}};
 }
 
 Json kindJson(const KindReport& report, const std::vector<std::string>& names) {
@@ -88,11 +106,8 @@ Json kindJson(const KindReport& report, const std::vector<std::string>& names) {
     json["outside_view"] = report.outside;
     json["disagreed"] = report.disagreed;
     json["agreed_and_judged"] = report.agreed;
-    for (size_t b = 1; b < names.size(); ++b) {
-        std::string key = names[b];
-        std::replace(key.begin(), key.end(), ' ', '_');
-        json[key] = countsJson(report.backends[b]);
-    }
+    for (size_t b = 1; b < names.size(); ++b)
+        json[jsonKey(names[b])] = countsJson(report.backends[b]);
     return json;
 }
 

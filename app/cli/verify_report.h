@@ -15,10 +15,23 @@ void printVerifyHeader(std::FILE* file);
 /// One kind's lines: a line for each backend, \p names in the order of the report's.
 void printKind(std::FILE* file, const KindReport& report, const std::vector<std::string>& names);
 
-/// The rays that the first backend got wrong, as hexadecimal floats in the grid frame, each with
-/// the command that casts it again. \p scene is the command's SCENE.
-void printWrongAnswers(std::FILE* file, const KindReport& report, const std::string& scene,
-                       const Input& input, const VerifySettings& settings);
+/// Rays that the first backend got wrong, as hexadecimal floats in the grid frame.
+void printWrongAnswers(std::FILE* file, const std::vector<WrongAnswer>& wrong);
+
+/// The line that says how to repeat what went wrong.
+void printAgain(std::FILE* file, const std::string& command);
+
+/// The command that casts the same rays, with everything said that shapes them but their kind.
+std::string verifyCommand(const CommonOptions& options, const Input& input,
+                          const VerifySettings& settings);
+
+/// What reports call the backends, of which the first is under test.
+std::vector<std::string> verifiedNames(const std::vector<Tracer*>& backends);
+
+/// A backend's name as a key.
+std::string jsonKey(std::string name);
+
+Json countsJson(const BackendReport& backend);
 
 /// The value of one kind in the JSON object: the first backend's counts, and under their names,
 /// blanks as underscores, the others'.

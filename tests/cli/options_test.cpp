@@ -51,7 +51,8 @@ const CommandRow kCommands[] = {
     {"dump", {"--spp"}},
     {"check", {"--spp", "--backend"}},
     {"verify",
-     {"--spp", "--bounces", "--ray-type", "--primary", "--fetch", "--visibility", "--shading"}},
+     {"--spp", "--bounces", "--ray-type", "--primary", "--fetch", "--visibility", "--shading",
+      "--materials"}},
     {"bench frame", {"--spp", "--bounces"}},
     {"bench tradeoff", {"--spp"}},
     {"bench scaling", {"--spp", "--frame"}}};
@@ -112,7 +113,8 @@ TEST(Options, HelpListsWhatACommandHonours) {
         for (const auto& [option, value] : kOptions) known.insert(option);
         if (command.name != "verify") continue;
         // Which model has cameras is not the command's business; --devices is info's, and spoken of.
-        known.merge(Names{"--help", "--rays", "--kinds", "--json", "--camera", "--devices"});
+        known.merge(Names{"--help", "--rays", "--kinds", "--json", "--camera", "--devices",
+                          "--extremes", "--only"});
         for (size_t at = help.find("--"); at != std::string::npos; at = help.find("--", at + 2)) {
             if (help[at - 1] != ' ' && help[at - 1] != ',') continue;
             const size_t end = help.find_first_not_of("-abcdefghijklmnopqrstuvwxyz", at);

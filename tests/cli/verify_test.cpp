@@ -1,6 +1,10 @@
 // `dirt verify`: its table, its JSON, and what it refuses.
 
+#include "core/verify/extremes.h"
 #include "tests/cli/program.h"
+
+#include <iterator>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -11,7 +15,8 @@ using nlohmann::json;
 
 namespace {
 
-const std::vector<std::string> kKinds{"primary", "diffuse", "vertex", "edge", "axis", "grazing"};
+const std::vector<std::string> kKinds{"primary", "diffuse", "vertex", "edge", "axis",
+                                      "grazing", "plane",   "border", "wild"};
 
 class Verify : public testing::Test {
 protected:
@@ -67,9 +72,66 @@ TEST_F(Verify, KindsAreChosen) {
     EXPECT_TRUE(report["kinds"].contains("edge"));
 }
 
+TEST_F(Verify, ExtremesHaveALineForEachVariantAndBackend) {
+    const Outcome run = verify({"--extremes", "--rays", "20"});
+    EXPECT_EQ(run.status, 0) << run.err << run.out;
+    EXPECT_EQ(run.err, "");
+    for (const dirt::Extreme& extreme : dirt::extremes())
+        EXPECT_NE(run.out.find("\n" + std::string(extreme.name) + " "), std::string::npos);
+    EXPECT_NE(run.out.find("embree robust"), std::string::npos);
+    EXPECT_NE(run.out.find(std::to_string(dirt::extremes().size()) + " variants, "),
+              std::string::npos);
+    EXPECT_NE(run.out.find(": 0 variants wrong\n"), std::string::npos);
+}
+
+TEST_F(Verify, ExtremesAreChosenAndReportedAsJson) {
+    const Outcome run =
+        verify({"--extremes", "--only", "ball,box-shared,scale-1e6", "--kinds", "edge", "--json"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    const json report = json::parse(run.out);
+    EXPECT_EQ(report["size"], json::array({64, 64}));
+    ASSERT_EQ(report["extremes"].size(), 3u);
+    for (const json& variant : report["extremes"]) {
+        EXPECT_EQ(variant["rays"], 300);
+        for (const json& backend : {variant, variant["embree"], variant["embree_robust"]})
+            for (const char* key : {"missed", "false_hits", "wrong_primitive", "max_ulp_t_error",
+                                    "non_finite_pixels"})
+                EXPECT_TRUE(backend[key].is_number()) << key;
+    }
+    EXPECT_EQ(report["extremes"]["ball"]["self_shadows"], 0);
+    EXPECT_TRUE(report["extremes"]["ball"]["leaks"].is_null());
+    EXPECT_EQ(report["extremes"]["box-shared"]["leaks"], 0);
+    EXPECT_EQ(report["extremes"]["ball"]["triangles"], 80);
+}
+
+/// What it prints, run again, finds the same wrong answers.
+TEST_F(Verify, WrongAnswersCanBeRepeated) {
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{"--backend", "embree"},
+          {"--backend", "embree", "--extremes", "--only", "slivers,ball", "--size", "32x32"},
+          {"--precision", "fast", "--extremes", "--only", "coincident"}}) {
+        const Outcome run = verify(more);
+        ASSERT_EQ(run.status, 1) << "nothing is wrong: the test would prove nothing";
+        const size_t at = run.err.find("  again: dirt ");
+        ASSERT_NE(at, std::string::npos) << run.err;
+        std::istringstream line(run.err.substr(at + 14, run.err.find('\n', at) - at - 14));
+        const std::vector<std::string> again{std::istream_iterator<std::string>(line), {}};
+        std::vector<std::string> quietly = again;
+        quietly.push_back("--quiet");
+        const Outcome repeated = dirt::test::dirt(quietly);
+        EXPECT_EQ(repeated.status, 1);
+        EXPECT_EQ(repeated.err.substr(0, at), run.err.substr(0, at));
+    }
+}
+
 TEST_F(Verify, RefusesWhatItDoesNotKnow) {
-    for (const auto& bad : std::vector<std::vector<std::string>>{
-             {"--kinds", "sideways"}, {"--rays", "0"}, {"--rays", "1e6"}, {"--rays", "-3"}}) {
+    for (const auto& bad : std::vector<std::vector<std::string>>{{"--kinds", "sideways"},
+                                                                 {"--rays", "0"},
+                                                                 {"--rays", "1e6"},
+                                                                 {"--rays", "-3"},
+                                                                 {"--only", "ball"},
+                                                                 {"--extremes", "--only", "x"},
+                                                                 {"--materials", "demo"}}) {
         const Outcome run = verify(bad);
         EXPECT_EQ(run.status, 2) << bad[1];
         EXPECT_EQ(run.out, "");
