@@ -96,12 +96,14 @@ void GlBackend::clear(const Camera& camera, const GridSettings& settings) {
 void GlBackend::transform(const Mesh& mesh, const Camera& camera, ViewMode mode) {
     context_.makeCurrent();
     triangles_.transform(mesh, camera, mode);
+    frameBegun_ = false;
     context_.check();
 }
 
 void GlBackend::setGeometry(const FrameGeometry& geometry) {
     context_.makeCurrent();
     triangles_.write(geometry);
+    frameBegun_ = false;
     context_.check();
 }
 
@@ -193,7 +195,8 @@ std::vector<BufferSize> GlBackend::memory() const {
 }
 
 TracedStructure GlBackend::structure() const {
-    return {views_, triangles_, bounds_, ids_, grid_.settings, passes_.cutOuts()};
+    return {views_, triangles_,     bounds_,
+            ids_,   grid_.settings, frameBegun_ ? passes_.cutOuts() : nullptr};
 }
 
 /// Any hits before \p maxT, or nearest hits where that is empty.
@@ -253,6 +256,7 @@ void GlBackend::beginFrame(const Scene& scene, const RenderSettings& settings,
                            const Requirements& requirements) {
     context_.makeCurrent();
     passes_.beginFrame(scene, settings, requirements, triangles_.frame());
+    frameBegun_ = true;
     context_.check();
 }
 

@@ -110,6 +110,7 @@ private:
     GridViews views_;
     RayCaster caster_;
     SamplePasses passes_;
+    bool frameBegun_ = false; ///< over the geometry at hand: holes are looked up
 };
 
 } // namespace dirt

@@ -10,6 +10,7 @@ namespace dirt {
 
 void HostBackend::transform(const Mesh& mesh, const Camera& camera, ViewMode mode) {
     transformMesh(mesh, camera, mode, executor_, transformed_);
+    transformed_.cutOuts = nullptr; // until the frame begins
     geometry_ = &transformed_;
     triangleBytes_ = transformed_.triangles.size() * sizeof(Triangle);
 }

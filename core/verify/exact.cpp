@@ -91,11 +91,17 @@ std::optional<ExactT> intersectExactly(const Ray& ray, const Triangle& triangle)
 
 namespace {
 
-bool isBelow(const ExactT& t, float limit) {
-    return t.numerator < Dyadic(limit) * t.denominator;
+// A t is computed with a relative error of 2^-28 (kRelativeErrorT) before it is found to be below
+// FLT_MIN, which makes it zero, or above FLT_MAX, which makes it that.
+constexpr double kLeast = FLT_MIN * (1.0 + 0x1p-28), kMost = FLT_MAX * (1.0 - 0x1p-28);
+
+/// Whether such a t may be zero.
+bool mayVanish(const ExactT& t) {
+    return t.numerator < Dyadic(kLeast) * t.denominator;
 }
-bool isAbove(const ExactT& t, float limit) {
-    return Dyadic(limit) * t.denominator < t.numerator;
+/// Whether such a t may be FLT_MAX.
+bool mayBeCut(const ExactT& t) {
+    return Dyadic(kMost) * t.denominator < t.numerator;
 }
 
 } // namespace
@@ -104,8 +110,8 @@ double relativeError(float t, const ExactT& exact) {
     if (!std::isfinite(t)) return std::numeric_limits<double>::infinity();
     const Dyadic difference = Dyadic(t) * exact.denominator - exact.numerator;
     if (difference.sign() == 0) return 0.0;
-    if (t == 0.0f && isBelow(exact, FLT_MIN)) return 0.0;
-    if (t == FLT_MAX && isAbove(exact, FLT_MAX)) return 0.0;
+    if (t == 0.0f && mayVanish(exact)) return 0.0;
+    if (t == FLT_MAX && mayBeCut(exact)) return 0.0;
     if (exact.numerator.sign() == 0) return std::numeric_limits<double>::infinity();
     return std::abs(Dyadic::quotient(difference, exact.numerator));
 }
@@ -117,8 +123,7 @@ double ulpError(float t, const ExactT& exact) {
 }
 
 bool beyondFloats(const ExactT& a, const ExactT& b) {
-    return (isBelow(a, FLT_MIN) && isBelow(b, FLT_MIN)) ||
-           (isAbove(a, FLT_MAX) && isAbove(b, FLT_MAX));
+    return (mayVanish(a) && mayVanish(b)) || (mayBeCut(a) && mayBeCut(b));
 }
 
 bool exceeds(const ExactT& t, const ExactT& nearest, float relative) {

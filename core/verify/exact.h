@@ -75,14 +75,14 @@ struct ExactT {
 /// with it.) A ray parallel to the plane and a triangle without area are no hit; t = 0 is one.
 std::optional<ExactT> intersectExactly(const Ray& ray, const Triangle& triangle);
 
-/// (t - exact) / exact, as a magnitude. Zero where an exact t below FLT_MIN was flushed to zero, or
-/// one above FLT_MAX is FLT_MAX.
+/// (t - exact) / exact, as a magnitude. Zero where a t below FLT_MIN, as computed, has become zero,
+/// or one above FLT_MAX that.
 double relativeError(float t, const ExactT& exact);
 
 /// The same error in units in the last place of a float that is \p exact.
 double ulpError(float t, const ExactT& exact);
 
-/// Whether floats do not tell the two apart because both are below FLT_MIN or above FLT_MAX.
+/// Whether floats need not tell the two apart, as both may be below FLT_MIN, or above FLT_MAX.
 bool beyondFloats(const ExactT& a, const ExactT& b);
 
 /// Whether \p t exceeds \p nearest by more than \p relative * t.

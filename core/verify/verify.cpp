@@ -28,12 +28,15 @@ void count(const Judgement& judgement, BackendReport& report) {
     report.maxUlpTError = std::max(report.maxUlpTError, judgement.ulpTError);
 }
 
+/// How far before or behind the nearest hit, relative to t: 2^-20 is far more than t's error.
+constexpr double kAside = 0x1p-20;
+
 /// Up to where a ray is asked for any hit: to the end, or to just before or behind the nearest,
-/// where that is a normal float. 2^-20 is far more than the error of t.
+/// where that is a normal float.
 float limitFor(const Verdict& truth, uint32_t index) {
-    const bool isNormal = truth.found() && truth.t > 0x1p-120 && truth.t < 0x1p120;
+    const bool isNormal = truth.found() && truth.t > 0x1p-120 && truth.t < 0x1p120; // by far
     if (!isNormal || index % 3 == 0) return FLT_MAX;
-    return (float) (truth.t * (index % 3 == 1 ? 1.0 - 0x1p-20 : 1.0 + 0x1p-20));
+    return (float) (truth.t * (index % 3 == 1 ? 1.0 - kAside : 1.0 + kAside));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "core/verify/verify_extremes.h"
 
 #include "core/frame/renderer.h"
+#include "core/frame/requirements.h"
 #include "core/frame/transform_mesh.h"
 #include "core/io/error.h"
 #include "core/verify/closed_bodies.h"
@@ -81,12 +82,14 @@ ExtremeReport ExtremeVerifier::run(const Extreme& extreme, std::span<const RayKi
     try {
         derive(extreme);
         report.triangles = scene_.mesh.triangles.size();
+        const bool hasHoles = requirementsOf(scene_, changed_, false).cutOuts;
         FrameGeometry geometry;
         transformMesh(scene_.mesh, scene_.camera, changed_.grid.mode, executor_, geometry);
         for (size_t b = 0; b < backends_.size(); b++) {
             renderFrame(*backends_[b], report.backends[b]);
-            // The frame's structure is that of this geometry, if its arithmetic is (G7).
-            if (!backends_[b]->isIeee())
+            // The frame's structure is that of this geometry, if its arithmetic is (G7) and no
+            // holes are looked up.
+            if (hasHoles || !backends_[b]->isIeee())
                 backends_[b]->build(geometry, scene_.camera, changed_.grid);
             probeBody(*backends_[b], geometry, report.backends[b]);
         }

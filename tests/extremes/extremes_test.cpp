@@ -96,6 +96,25 @@ TEST_F(Extremes, AllAreRightInSingleView) {
     verify(test::smallScene(), "small", ViewMode::single, cpu, (uint32_t) test::cases(100, 20'000));
 }
 
+/// What a frame knows of holes ends with its geometry: rays are judged without any.
+TEST_F(Extremes, HolesOfTheFrameBeforeDoNotCount) {
+    Scene scene = test::smallScene();
+    for (Material& material : scene.materials) material.opacity = 0.3f;
+    std::vector<std::unique_ptr<Backend>> tested;
+    tested.push_back(std::make_unique<CpuBackend>(pool_));
+#ifdef DIRT_HAVE_GL
+    tested.push_back(std::make_unique<GlBackend>());
+#endif
+    VerifySettings verify;
+    verify.rays = 100;
+    for (const auto& backend : tested) {
+        ExtremeVerifier verifier(scene, test::smallSettings(), {backend.get()}, verify, pool_);
+        const ExtremeReport report = verifier.run(*extremeByName("rays-edge"));
+        EXPECT_TRUE(report.backends[0].right()) << describe(report, backend->name());
+        EXPECT_GT(report.hits, 50u) << backend->name();
+    }
+}
+
 TEST_F(Extremes, AllAreRightOnOpenGl) {
     if (!test::fullTests()) GTEST_SKIP() << "takes minutes: in the long form";
 #ifdef DIRT_HAVE_GL
