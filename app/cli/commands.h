@@ -35,6 +35,9 @@ void addInfo(CLI::App& program, int& status);
 /// `dirt dump SCENE`: writes the buffers of a frame.
 void addDump(CLI::App& program, int& status);
 
+/// `dirt explain SCENE`: one pixel's path, ray by ray; a tile's lists; a primitive's tiles.
+void addExplain(CLI::App& program, int& status);
+
 /// `dirt generate NAME`: writes a procedural scene's geometry.
 void addGenerate(CLI::App& program, int& status);
 

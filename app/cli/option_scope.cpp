@@ -19,7 +19,8 @@ enum Command : unsigned {
     kFrame = 32, ///< dirt bench …
     kTradeoff = 64,
     kScaling = 128,
-    kAll = 255,
+    kExplain = 256,
+    kAll = 511,
     kShading = kAll & ~kVerify, ///< verify casts rays at geometry
 };
 
@@ -73,7 +74,8 @@ constexpr Scope kScopes[] = {
 Command commandOf(const std::string& name) {
     constexpr std::pair<std::string_view, Command> kNames[] = {
         {"render", kRender}, {"info", kInfo},   {"dump", kDump},         {"check", kCheck},
-        {"verify", kVerify}, {"frame", kFrame}, {"tradeoff", kTradeoff}, {"scaling", kScaling}};
+        {"verify", kVerify}, {"frame", kFrame}, {"tradeoff", kTradeoff}, {"scaling", kScaling},
+        {"explain", kExplain}};
     for (const auto& [known, command] : kNames)
         if (name == known) return command;
     return kAll;

@@ -44,6 +44,31 @@ CLI::Option* addInteger(CLI::App& command, const std::string& name, int64_t low,
     });
 }
 
+std::vector<int> readIntegers(const std::string& name, const std::string& text, size_t count,
+                              int high, const std::string& typeName) {
+    std::vector<int> values;
+    std::string_view rest = text;
+    for (bool more = true; more && values.size() < count;) {
+        const size_t comma = rest.find(',');
+        int value = 0;
+        if (!parse(rest.substr(0, comma), value) || value < 0 || value > high) break;
+        values.push_back(value);
+        more = comma != rest.npos;
+        rest = more ? rest.substr(comma + 1) : std::string_view();
+    }
+    if (values.size() != count || !rest.empty() || text.back() == ',')
+        refuse(name, text, typeName + ", whole numbers from 0 to " + std::to_string(high));
+    return values;
+}
+
+CLI::Option* addIntegers(CLI::App& command, const std::string& name, size_t count, int high,
+                         const std::string& typeName, const std::string& help,
+                         std::function<void(const std::vector<int>&)> set) {
+    return addText(command, name, typeName, help, [=](const std::string& text) {
+        set(readIntegers(name, text, count, high, typeName));
+    });
+}
+
 CLI::Option* addNumber(CLI::App& command, const std::string& name, float low, float high,
                        const std::string& help, std::function<void(float)> set) {
     const auto show = [](float bound) {

@@ -17,6 +17,15 @@ namespace dirt {
 CLI::Option* addInteger(CLI::App& command, const std::string& name, int64_t low, int64_t high,
                         const std::string& help, std::function<void(int64_t)> set);
 
+/// \p count whole numbers from 0 to \p high with commas between. Throws CLI::ValidationError.
+std::vector<int> readIntegers(const std::string& name, const std::string& text, size_t count,
+                              int high, const std::string& typeName);
+
+/// The same as an option, shown as \p typeName.
+CLI::Option* addIntegers(CLI::App& command, const std::string& name, size_t count, int high,
+                         const std::string& typeName, const std::string& help,
+                         std::function<void(const std::vector<int>&)> set);
+
 /// A finite number above \p low and below \p high.
 CLI::Option* addNumber(CLI::App& command, const std::string& name, float low, float high,
                        const std::string& help, std::function<void(float)> set);

@@ -60,6 +60,7 @@ int run(int argc, const char* const* argv) {
     addBench(program, status);
     addInfo(program, status);
     addDump(program, status);
+    addExplain(program, status);
     addGenerate(program, status);
 
     try {

@@ -105,6 +105,18 @@ PathRay scatteredRay(const FrameContext& frame, uint32_t pixel, uint32_t sample,
     return {ray.origin, ray.skip, next.direction, next.pdf, throughput, 0.0f};
 }
 
+/// Whether the light would add something to G[k+1] of a pixel.
+bool matters(const FrameContext& frame, int event, const PathBuffers& paths, size_t pixel) {
+    return paths.alive(event, pixel) && paths.foundNext(pixel) &&
+           !black(reflectedOfLight(frame, event, paths, pixel, *nextPoint(frame, paths, pixel)));
+}
+
+ShadowRay rayToLight(const FrameContext& frame, const SurfacePoint& point) {
+    Ray ray = leavingRay(frame.geometry, point, frame.light->position - point.position);
+    ray.direction = frame.light->position - ray.origin;
+    return {ray, frame.view ? std::min(frame.view->part(ray).end, 1.0f) : 1.0f};
+}
+
 bool goesSomewhere(const PathRay& ray) {
     return ray.direction != glm::vec3(0.0f);
 }
@@ -128,6 +140,16 @@ FrameContext::FrameContext(const Scene& scene, const FrameGeometry& geometry,
         view.emplace(makeViews(settings.grid, scene.camera).front());
     if (requirements.light) light = makeGridSpotlight(scene.lights.front(), geometry.frame);
     if (requirements.shadowMap > 0) shadowMap = makeShadowMap(scene, geometry.frame);
+}
+
+PathRay primaryRay(const FrameContext& frame, size_t pixel, uint32_t sample) {
+    return cameraRay(frame, pixel, sample, subPixelOffset(sample, frame.settings.seed));
+}
+
+std::optional<ShadowRay> shadowRay(const FrameContext& frame, int event, const PathBuffers& paths,
+                                   size_t pixel) {
+    if (!frame.requirements.shadowRays || !matters(frame, event, paths, pixel)) return {};
+    return rayToLight(frame, *nextPoint(frame, paths, pixel));
 }
 
 void passDepthMask(const FrameContext& frame, Executor& executor, int event, PathBuffers& paths) {
@@ -211,8 +233,7 @@ void passVisibility(const FrameContext& frame, Executor& executor, Tracer& trace
     if (!frame.requirements.shadowRays) return;
     const auto pixels = compact(executor, paths.pixels(), kGrain, [&](size_t i) {
         paths.visibility[i] = 0;
-        return paths.alive(event, i) && paths.foundNext(i) &&
-               !black(reflectedOfLight(frame, event, paths, i, *nextPoint(frame, paths, i)));
+        return matters(frame, event, paths, i);
     });
     std::vector<Ray> rays(std::min(kRaysPerCast, pixels.size()));
     std::vector<float> maxT(rays.size());
@@ -221,12 +242,9 @@ void passVisibility(const FrameContext& frame, Executor& executor, Tracer& trace
         const size_t count = slice.size();
         executor.forRange(count, kGrain, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; ++i) {
-                const StoredPoint point = nextPoint(frame, paths, slice[i]);
-                Ray ray =
-                    leavingRay(frame.geometry, *point, frame.light->position - point->position);
-                ray.direction = frame.light->position - ray.origin;
-                rays[i] = ray;
-                maxT[i] = frame.view ? std::min(frame.view->part(ray).end, 1.0f) : 1.0f;
+                const ShadowRay shadow = rayToLight(frame, *nextPoint(frame, paths, slice[i]));
+                rays[i] = shadow.ray;
+                maxT[i] = shadow.maxT;
             }
         });
         tracer.occluded({rays.data(), count}, {maxT.data(), count}, {occluded.data(), count});

@@ -30,6 +30,20 @@ struct FrameContext {
                  const Requirements& requirements);
 };
 
+/// A ray from a surface point to the light, which asks for any hit at t < maxT.
+struct ShadowRay {
+    Ray ray;
+    float maxT = 0.0f;
+};
+
+/// The ray from the eye through \p pixel: what event 0 traces, or DirectVisibility rasterizes.
+PathRay primaryRay(const FrameContext& frame, size_t pixel, uint32_t sample);
+
+/// The shadow ray from G[k+1] of \p pixel at path event \p event; none where there is no light to
+/// ask for, or it would add nothing.
+std::optional<ShadowRay> shadowRay(const FrameContext& frame, int event, const PathBuffers& paths,
+                                   size_t pixel);
+
 // The passes of a sample on the host, each over all pixels: the definition of what every backend
 // computes. Each writes all records of what it writes; a pixel without a path gets an empty one.
 

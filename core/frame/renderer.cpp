@@ -95,7 +95,7 @@ RenderResult Renderer::render(const RenderHooks& hooks) {
     backend_.beginFrame(scene_, settings_, need);
     if (need.shadowMap > 0) clock.time("ShadowMap", 0, [&] { backend_.shadowMap(); });
     Samples samples(settings_, need, backend_, hooks, clock);
-    while (result.samples < settings_.samples && samples.run((uint32_t) result.samples)) {
+    while (result.samples < settings_.samples && samples.run(first_ + (uint32_t) result.samples)) {
         ++result.samples;
         if (hooks.progress) hooks.progress(result.samples, settings_.samples);
     }

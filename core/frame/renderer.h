@@ -40,6 +40,9 @@ public:
     /// Keeps G[k-1] even where the scene does not require it, for whoever looks at the buffers.
     void keepPreviousPoint() { previousPoint_ = true; }
 
+    /// The settings' number of samples is counted from \p sample, for whoever looks into that one.
+    void beginAt(uint32_t sample) { first_ = sample; }
+
     RenderResult render(const RenderHooks& hooks = {});
 
 private:
@@ -47,6 +50,7 @@ private:
     const RenderSettings& settings_;
     Backend& backend_;
     bool previousPoint_ = false;
+    uint32_t first_ = 0;
 };
 
 } // namespace dirt

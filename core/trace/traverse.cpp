@@ -20,10 +20,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Visits the tiles of all views in the order of t.
+/// Visits the tiles of all views in the order of t. Adds the cells looked at to \p steps.
 template <class Visit>
 void walkViews(const Grid& grid, const Ray& ray, const double& limit, uint64_t& steps,
-               Visit&& visit) {
+               TraversalWatcher* watcher, Visit&& visit) {
     std::array<ViewSpan, 6> spans;
     int count = 0;
     for (size_t v = 0; v < grid.views.size(); ++v) {
@@ -38,10 +38,15 @@ void walkViews(const Grid& grid, const Ray& ray, const double& limit, uint64_t& 
     const int top = settings.traversal == Traversal::linear ? 0
                     : settings.maxMip < 0                   ? std::numeric_limits<int>::max()
                                                             : settings.maxMip;
+    const auto look = [&](const CellLook& cell) {
+        ++steps;
+        if (watcher) watcher->cell(cell);
+    };
     for (int i = 0; i < count && spans[i].begin <= limit; ++i) {
+        if (watcher) watcher->view(spans[i]);
         const ViewRay viewRay(grid.views[spans[i].view], ray);
         ViewWalk walk(viewRay, spans[i], grid.pyramids[spans[i].view], top);
-        if (walk.valid()) walk.run(limit, steps, visit);
+        if (walk.valid()) walk.run(limit, look, visit);
     }
 }
 
@@ -115,10 +120,19 @@ private:
     RayFilter filter_;
 };
 
+/// What is said against a triangle that the ray meets; nearest if nothing is.
+Tested objection(const FrameGeometry& geometry, const Ray& ray, const ViewCone::Part& seen,
+                 uint32_t id, const TriangleHit& hit) {
+    if (!seen.holds(hit.t)) return Tested::outside;
+    if (isSkipped(geometry, ray, id)) return Tested::skipped;
+    if (!isHit(geometry, ray.direction, id, hit.u, hit.v)) return Tested::hole;
+    return Tested::nearest;
+}
+
 } // namespace
 
 Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given,
-               TraversalCounts* counts) {
+               TraversalCounts* counts, TraversalWatcher* watcher) {
     Hit best;
     const Ray ray = flushedRay(given);
     if (!isTraceable(ray)) return best;
@@ -127,20 +141,23 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
     TraversalCounts local;
     double limit = kInfinity;
 
+    const auto judge = [&](uint32_t id, TriangleHit& hit) {
+        if (!decision.hits(geometry.triangles[id], hit)) return Tested::missed;
+        if (best.primitive == id) return Tested::known;
+        if (!isNearer(hit.t, id, best.t, best.primitive)) return Tested::farther;
+        return objection(geometry, ray, seen, id, hit);
+    };
     // Tests one triangle. True if it is the best hit, now or from before.
     const auto test = [&](uint32_t id) {
         ++local.tests;
-        const Triangle& triangle = geometry.triangles[id];
-        TriangleHit candidate;
-        if (!decision.hits(triangle, candidate)) return false;
-        if (best.primitive == id) return true;
-        if (!isNearer(candidate.t, id, best.t, best.primitive) || !seen.holds(candidate.t) ||
-            isSkipped(geometry, ray, id) ||
-            !isHit(geometry, ray.direction, id, candidate.u, candidate.v))
-            return false;
-        best = {id, candidate.t, candidate.u, candidate.v, 0, 0};
-        limit = upperBound(candidate.t);
-        return true;
+        TriangleHit hit;
+        const Tested result = judge(id, hit);
+        if (watcher) watcher->test(id, result, hit);
+        if (result == Tested::nearest) {
+            best = {id, hit.t, hit.u, hit.v, 0, 0};
+            limit = upperBound(hit.t);
+        }
+        return result == Tested::nearest || result == Tested::known;
     };
 
     if (!grid.atEye.empty() && passesEye(ray))
@@ -148,12 +165,15 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
             if (test(id)) best.view = (uint32_t) grid.views.size();
 
     bool located = false; // best.view and best.tile hold best.t
-    walkViews(grid, ray, limit, local.steps, [&](const TileVisit& visit) {
+    walkViews(grid, ray, limit, local.steps, watcher, [&](const TileVisit& visit) {
         ++local.tiles;
         BinRange bins(grid, ray, visit, limit);
+        if (watcher) watcher->tile(visit, bins.first, bins.last);
         for (int b = bins.first; bins.contains(b); b += bins.step) {
             ++local.bins;
-            for (uint32_t id : grid.list(visit.view, visit.tile, b)) {
+            const auto ids = grid.list(visit.view, visit.tile, b);
+            if (watcher) watcher->bin(b, ids);
+            for (uint32_t id : ids) {
                 const uint32_t before = best.primitive;
                 if (!test(id)) continue;
                 if (best.primitive != before) {
@@ -174,7 +194,7 @@ Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given
 }
 
 bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given, float maxT,
-            TraversalCounts* counts) {
+            TraversalCounts* counts, TraversalWatcher* watcher) {
     const Ray ray = flushedRay(given);
     if (!isTraceable(ray) || !(maxT > 0.0f)) return false;
     const Decision decision(grid, ray);
@@ -183,13 +203,17 @@ bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given, f
     double limit = upperBound(maxT);
     bool found = false;
 
+    const auto judge = [&](uint32_t id, TriangleHit& hit) {
+        if (!decision.hits(geometry.triangles[id], hit)) return Tested::missed;
+        if (!(hit.t < maxT)) return Tested::farther;
+        return objection(geometry, ray, seen, id, hit);
+    };
     const auto test = [&](uint32_t id) {
         ++local.tests;
-        const Triangle& triangle = geometry.triangles[id];
-        TriangleHit candidate;
-        if (decision.hits(triangle, candidate) && candidate.t < maxT && seen.holds(candidate.t) &&
-            !isSkipped(geometry, ray, id) &&
-            isHit(geometry, ray.direction, id, candidate.u, candidate.v)) {
+        TriangleHit hit;
+        const Tested result = judge(id, hit);
+        if (watcher) watcher->test(id, result, hit);
+        if (result == Tested::nearest) {
             found = true;
             limit = -1.0; // ends the walk
         }
@@ -199,12 +223,15 @@ bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& given, f
     if (!grid.atEye.empty() && passesEye(ray))
         for (uint32_t id : grid.atEye)
             if (test(id)) break;
-    walkViews(grid, ray, limit, local.steps, [&](const TileVisit& visit) {
+    walkViews(grid, ray, limit, local.steps, watcher, [&](const TileVisit& visit) {
         ++local.tiles;
         const BinRange bins(grid, ray, visit, limit);
+        if (watcher) watcher->tile(visit, bins.first, bins.last);
         for (int b = bins.first; !found && bins.contains(b); b += bins.step) {
             ++local.bins;
-            for (uint32_t id : grid.list(visit.view, visit.tile, b))
+            const auto ids = grid.list(visit.view, visit.tile, b);
+            if (watcher) watcher->bin(b, ids);
+            for (uint32_t id : ids)
                 if (test(id)) break;
         }
     });
@@ -218,7 +245,7 @@ void visitCells(const Grid& grid, const Ray& given,
     if (!isTraceable(ray)) return;
     const double limit = kInfinity;
     uint64_t steps = 0;
-    walkViews(grid, ray, limit, steps, [&](const TileVisit& tile) {
+    walkViews(grid, ray, limit, steps, nullptr, [&](const TileVisit& tile) {
         const BinRange bins(grid, ray, tile, limit);
         for (int b = bins.first; bins.contains(b); b += bins.step) visit(tile.view, tile.tile, b);
     });

@@ -2,13 +2,14 @@
 
 #include "core/grid/grid.h"
 #include "core/trace/ray.h"
+#include "core/trace/traversal_watcher.h"
 
 #include <cstdint>
 #include <functional>
 
 namespace dirt {
 
-/// What a traversal did, for `explain`, statistics and tests.
+/// How much a traversal did.
 struct TraversalCounts {
     uint64_t steps = 0; ///< cells of any pyramid level looked at
     uint64_t tiles = 0; ///< tiles whose bins were visited
@@ -19,11 +20,11 @@ struct TraversalCounts {
 /// Nearest hit through the grid (T1–T7). Its view and tile are those whose visited interval holds
 /// t, and which list the triangle; or the view after the last one, if only Grid::atEye lists it.
 Hit closestHit(const Grid& grid, const FrameGeometry& geometry, const Ray& ray,
-               TraversalCounts* counts = nullptr);
+               TraversalCounts* counts = nullptr, TraversalWatcher* watcher = nullptr);
 
 /// Whether anything is hit at t < maxT.
 bool anyHit(const Grid& grid, const FrameGeometry& geometry, const Ray& ray, float maxT,
-            TraversalCounts* counts = nullptr);
+            TraversalCounts* counts = nullptr, TraversalWatcher* watcher = nullptr);
 
 /// Calls \p visit(view, tile, bin) for each non-empty cell the ray visits, in the order of t, to
 /// the ray's end: the visited set of T1.

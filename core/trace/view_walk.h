@@ -16,6 +16,15 @@ struct TileVisit {
     float near = 0.0f, far = 0.0f; ///< depths of the ray inside the tile
 };
 
+/// A cell of a view's depth pyramid that a ray looks at.
+struct CellLook {
+    int view = 0, level = 0, column = 0, row = 0;
+    double begin = 0.0;           ///< where the ray enters the tile in which it comes in
+    double near = 0.0, far = 0.0; ///< depths of the ray inside the cell
+    DepthBounds bounds;           ///< of what the cell lists
+    bool passedOver = false;      ///< the depths do not meet
+};
+
 /// Walks a ray through the tiles of one view, up and down the depth pyramid (T1).
 ///
 /// The walk keeps the tile (column, row) it is in; which border comes next is decided by the side
@@ -46,9 +55,9 @@ public:
 
     /// Calls \p visit(TileVisit) for every tile whose depth bounds meet the ray's depths in it, in
     /// the order of t, until the view is left or a tile begins after \p limit, which visit may
-    /// lower. Adds the cells looked at to \p steps.
-    template <class Visit>
-    void run(const double& limit, uint64_t& steps, Visit&& visit);
+    /// lower. Calls \p look(CellLook) for every cell of the pyramid before that.
+    template <class Look, class Visit>
+    void run(const double& limit, Look&& look, Visit&& visit);
 
 private:
     /// How the ray leaves a cell.
@@ -74,8 +83,8 @@ private:
     double depth_; ///< and w at begin_
 };
 
-template <class Visit>
-void ViewWalk::run(const double& limit, uint64_t& steps, Visit&& visit) {
+template <class Look, class Visit>
+void ViewWalk::run(const double& limit, Look&& look, Visit&& visit) {
     const auto offer = [&](double end, double near, double far) {
         const DepthBounds& bounds = pyramid_.levels[0].at(column_, row_);
         const float lo = roundDown(near * (1.0 - kDepthSlack));
@@ -86,12 +95,13 @@ void ViewWalk::run(const double& limit, uint64_t& steps, Visit&& visit) {
 
     int level = top_;
     while (begin_ <= limit) {
-        ++steps;
         const Exit exit = exitOf(level);
         const double near = std::min(depth_, exit.near), far = std::max(depth_, exit.far);
         const DepthBounds& bounds = pyramid_.levels[level].at(column_ >> level, row_ >> level);
         const bool empty =
             bounds.far < near * (1.0 - kDepthSlack) || bounds.near > far * (1.0 + kDepthSlack);
+        look(CellLook{view_, level, column_ >> level, row_ >> level, begin_, near, far, bounds,
+                      empty});
         if (!empty && level > 0) {
             --level;
             continue;

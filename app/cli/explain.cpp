@@ -1,0 +1,207 @@
+#include "app/cli/commands.h"
+#include "app/cli/explain_json.h"
+#include "app/cli/explain_text.h"
+#include "app/cli/input.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/option_values.h"
+#include "core/io/error.h"
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace dirt {
+
+namespace {
+
+struct ExplainOptions {
+    CommonOptions common;
+    std::optional<std::array<int, 2>> pixel;
+    std::optional<std::array<int, 3>> tile; ///< view, column, row
+    std::optional<int64_t> primitive;
+    std::optional<int> event; ///< none: all
+    uint32_t sample = 0;
+    bool json = false;
+};
+
+void print(const std::string& text) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+void checkPixel(const std::array<int, 2>& pixel, const RenderSettings& settings,
+                const std::optional<int>& event) {
+    const GridSettings& grid = settings.grid;
+    if (pixel[0] >= grid.width || pixel[1] >= grid.height)
+        throw InputError("--pixel " + std::to_string(pixel[0]) + "," + std::to_string(pixel[1]) +
+                         ": the image has " + std::to_string(grid.width) + "x" +
+                         std::to_string(grid.height) + " pixels");
+    if (event && *event >= settings.bounces)
+        throw InputError("--event " + std::to_string(*event) + ": the path events of " +
+                         std::to_string(settings.bounces) + " bounces are 0 to " +
+                         std::to_string(settings.bounces - 1));
+}
+
+/// 1 where the backend's answer is not that of the definition over its own grid.
+int explainPixel(const ExplainOptions& options, const Input& input, Backend& backend) {
+    const auto [x, y] = *options.pixel;
+    checkPixel(*options.pixel, input.settings, options.event);
+    catchInterrupts();
+    const PathAccount account = accountOf(
+        input.scene, input.settings, backend,
+        (size_t) y * (size_t) input.settings.grid.width + (size_t) x, options.sample, interrupted);
+    if (interrupted()) return interruptStatus();
+    Json json = {{"scene", input.scene.name},
+                 {"backend", backend.name()},
+                 {"pixel", {x, y}},
+                 {"sample", options.sample},
+                 {"events", Json::array()}};
+    std::string text = "pixel (" + std::to_string(x) + ", " + std::to_string(y) + "), sample " +
+                       std::to_string(options.sample) + " of " + input.scene.name + ", " +
+                       backend.name() + "\n";
+    bool agrees = true;
+    for (const EventAccount& event : account.events) {
+        if (options.event && *options.event != event.event) continue;
+        const std::vector<ExplainedRay> rays = raysOf(account, event);
+        json["events"].push_back(eventJson(account, event, rays));
+        text += eventText(input.scene, account, event);
+        for (const ExplainedRay& ray : rays) {
+            text += rayText(account, ray);
+            const std::string problem = disagreement(event, ray);
+            agrees = agrees && problem.empty();
+            if (!problem.empty()) text += "  DIFFERENT: " + problem + "\n";
+        }
+    }
+    json["radiance"] = {account.radiance.x, account.radiance.y, account.radiance.z};
+    char sum[128];
+    std::snprintf(sum, sizeof sum, "radiance (%.9g, %.9g, %.9g)\n", (double) account.radiance.x,
+                  (double) account.radiance.y, (double) account.radiance.z);
+    print(options.json ? json.dump(2) + "\n" : text + sum);
+    return agrees ? 0 : 1;
+}
+
+std::vector<TileEntry> entriesOf(const ExplainOptions& options, const Grid& grid,
+                                 const FrameGeometry& geometry) {
+    if (options.primitive) {
+        const size_t count = geometry.triangles.size();
+        if ((uint64_t) *options.primitive >= count)
+            throw InputError("--primitive " + std::to_string(*options.primitive) + ": there are " +
+                             std::to_string(count) + ", counted from 0");
+        return entriesOfPrimitive(grid, geometry, (uint32_t) *options.primitive);
+    }
+    const auto [view, column, row] = *options.tile;
+    if ((size_t) view >= grid.views.size())
+        throw InputError("--tile: view " + std::to_string(view) + ": there are " +
+                         std::to_string(grid.views.size()) + ", counted from 0");
+    const View& seen = grid.views[(size_t) view];
+    if (column >= seen.columns || row >= seen.rows)
+        throw InputError("--tile: the view has " + std::to_string(seen.columns) + "x" +
+                         std::to_string(seen.rows) + " tiles");
+    return entriesOfTile(grid, geometry, view, column, row);
+}
+
+/// 1 where an entry is missing or not due.
+int explainLists(const ExplainOptions& options, const Input& input, Backend& backend) {
+    if (!backend.hasGrid())
+        throw InputError("--tile VIEW,X,Y and --primitive: the backend " + backend.name() +
+                         " has no lists");
+    backend.build(input.scene.mesh, input.scene.camera, input.settings.grid);
+    const Grid grid = backend.readGrid();
+    const std::vector<TileEntry> entries = entriesOf(options, grid, backend.readGeometry());
+    size_t wrong = 0;
+    for (const TileEntry& entry : entries) wrong += !entry.isRight();
+    std::string what = options.primitive ? "primitive " + std::to_string(*options.primitive)
+                                         : "tile (" + std::to_string((*options.tile)[1]) + ", " +
+                                               std::to_string((*options.tile)[2]) + ") of view " +
+                                               std::to_string((*options.tile)[0]);
+    if (!options.primitive) {
+        const auto [view, column, row] = *options.tile;
+        const DepthBounds& bounds =
+            grid.bounds(view, row * grid.views[(size_t) view].columns + column);
+        char text[96];
+        std::snprintf(text, sizeof text, ", depths %.9g .. %.9g, %d bins", (double) bounds.near,
+                      (double) bounds.far, grid.settings.bins);
+        what += bounds.empty() ? ", empty" : text;
+    }
+    if (options.json)
+        print(Json({{"scene", input.scene.name},
+                    {"backend", backend.name()},
+                    {"of", what},
+                    {"entries", entriesJson(entries)}})
+                  .dump(2) +
+              "\n");
+    else
+        print(what + " of " + input.scene.name + ", " + backend.name() + ": " +
+              std::to_string(entries.size()) + " entries, " + std::to_string(wrong) + " wrong\n" +
+              entriesText(input.scene, grid, entries));
+    return wrong == 0 ? 0 : 1;
+}
+
+int runExplain(const ExplainOptions& options) {
+    const int subjects =
+        options.pixel.has_value() + options.tile.has_value() + options.primitive.has_value();
+    if (subjects != 1)
+        throw InputError(
+            "explain: one of --pixel X,Y, --tile VIEW,X,Y and --primitive ID says what");
+    const auto executor = makeExecutor(options.common);
+    const Input input = openInput(options.common, *executor);
+    const auto backend = makeBackend(options.common, *executor);
+    return options.pixel ? explainPixel(options, input, *backend)
+                         : explainLists(options, input, *backend);
+}
+
+/// --tile has two meanings here, and may be given twice: N pixels, as everywhere, and VIEW,X,Y, the
+/// tile that is asked about.
+void addTile(CLI::App& command, ExplainOptions& options) {
+    CLI::Option* size = command.get_option("--tile");
+    const std::string help = size->get_description();
+    command.remove_option(size);
+    CommonOptions& common = options.common;
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--tile",
+            [&](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) {
+                    if (text.find(',') != text.npos) {
+                        const auto at = readIntegers("--tile", text, 3, 65535, "VIEW,X,Y");
+                        options.tile = std::array{at[0], at[1], at[2]};
+                    } else {
+                        common.tile = readIntegers("--tile", text, 1, 64, "N or VIEW,X,Y").front();
+                        common.given.emplace_back("--tile");
+                        if (*common.tile == 0)
+                            throw CLI::ValidationError("--tile",
+                                                       "'0' is not a number from 1 to 64");
+                    }
+                }
+            },
+            help + "; VIEW,X,Y: what that tile lists")
+        ->type_name("N|VIEW,X,Y")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+} // namespace
+
+void addExplain(CLI::App& program, int& status) {
+    CLI::App* command = program.add_subcommand(
+        "explain",
+        "what happened to a pixel: its path, each ray's way through the grid, each test; "
+        "or what a tile lists, or where a primitive is listed");
+    const auto options = std::make_shared<ExplainOptions>();
+    addCommonOptions(*command, options->common);
+    addTile(*command, *options);
+    addIntegers(*command, "--pixel", 2, 65535, "X,Y", "from the top left, counted from 0",
+                [options](const std::vector<int>& at) {
+                    options->pixel = std::array{at[0], at[1]};
+                });
+    addInteger(*command, "--primitive", 0, kNoPrimitive - 1, "where a triangle is listed",
+               [options](int64_t id) { options->primitive = id; });
+    addInteger(*command, "--sample", 0, 0x7fffffff, "of the pixel (default: 0)",
+               [options](int64_t n) { options->sample = (uint32_t) n; });
+    addInteger(*command, "--event", 0, 1023, "only this path event (default: all)",
+               [options](int64_t k) { options->event = (int) k; });
+    command->add_flag("--json", options->json, "print JSON");
+    command->callback([options, &status] { status = runExplain(*options); });
+}
+
+} // namespace dirt

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/cli/explain_text.h"
+#include "app/cli/json_report.h"
+
+namespace dirt {
+
+/// What explain_text.h says, as JSON.
+Json eventJson(const PathAccount& account, const EventAccount& event,
+               const std::vector<ExplainedRay>& rays);
+Json entriesJson(const std::vector<TileEntry>& entries);
+
+} // namespace dirt

@@ -1,0 +1,66 @@
+#include "core/explain/path_account.h"
+
+#include "core/frame/renderer.h"
+
+namespace dirt {
+
+namespace {
+
+/// The event that has just been shaded. \p before: the radiance that the path had gathered.
+EventAccount eventOf(const FrameContext& frame, int event, const PathBuffers& paths, size_t pixel,
+                     uint32_t sample, glm::vec3 before) {
+    EventAccount account;
+    account.event = event;
+    account.rasterized = event == 0 && !frame.requirements.tracedPrimary;
+    if (account.rasterized) {
+        account.ray = primaryRay(frame, pixel, sample);
+    } else {
+        account.ray = paths.rays[pixel];
+        account.hit = paths.hits[pixel];
+    }
+    account.point = paths.next[pixel];
+    account.shadowRay = shadowRay(frame, event, paths, pixel);
+    account.lit = account.shadowRay && paths.visibility[pixel] != 0;
+    account.added = paths.radiance[pixel] - before;
+    const glm::vec3 throughput = event == 0 ? glm::vec3(1.0f) : account.ray.throughput;
+    const bool seesBackground = event == 0 || frame.settings.grid.mode == ViewMode::full;
+    if (frame.settings.rayType == RayType::visibility)
+        account.emitted = account.added;
+    else if (account.point.found())
+        account.emitted = throughput * account.point.emission;
+    else if (seesBackground)
+        account.emitted = throughput * frame.scene.background;
+    account.reflected = account.added - account.emitted;
+    return account;
+}
+
+} // namespace
+
+PathAccount accountOf(const Scene& scene, RenderSettings settings, Backend& backend, size_t pixel,
+                      uint32_t sample, const std::function<bool()>& stop) {
+    settings.samples = 1;
+    PathAccount account;
+    account.pixel = pixel;
+    account.sample = sample;
+    const Requirements need = requirementsOf(scene, settings, backend.rasterizes());
+    RenderHooks hooks;
+    hooks.stop = stop;
+    hooks.observe = [&](uint32_t, int event) {
+        if (event == 0) {
+            account.geometry = backend.readGeometry();
+            account.geometry.cutOuts = need.cutOuts ? &scene : nullptr;
+            if (backend.hasGrid()) account.grid = backend.readGrid();
+        }
+        const FrameContext frame(scene, account.geometry, settings, need);
+        const PathBuffers paths = backend.readPaths();
+        if (!paths.alive(event, pixel)) return;
+        account.events.push_back(eventOf(frame, event, paths, pixel, sample, account.radiance));
+        account.radiance = paths.radiance[pixel];
+    };
+    Renderer renderer(scene, settings, backend);
+    renderer.beginAt(sample);
+    renderer.render(hooks);
+    return account;
+}
+
+} // namespace dirt

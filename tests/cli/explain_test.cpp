@@ -1,0 +1,146 @@
+// `dirt explain` as its users run it.
+
+#include "app/cli/explain_text.h"
+#include "tests/cli/program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace dirt::test {
+namespace {
+
+using Json = nlohmann::json;
+
+class Explain : public testing::Test {
+protected:
+    Outcome explain(std::vector<std::string> options) {
+        options.insert(options.begin(), {"explain", scene_, "--size", "32x32", "--quiet"});
+        return dirt(options);
+    }
+    Json json(std::vector<std::string> options) {
+        options.push_back("--json");
+        const Outcome run = explain(options);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return Json::parse(run.out);
+    }
+    /// The one line of an error.
+    std::string error(const std::vector<std::string>& options) {
+        const Outcome run = explain(options);
+        EXPECT_EQ(run.status, 2);
+        EXPECT_EQ(run.out, "");
+        return run.err;
+    }
+
+    TemporaryFolder folder_;
+    std::string scene_ = litTriangle(folder_);
+};
+
+TEST_F(Explain, TellsThePathOfAPixel) {
+    const Outcome run = explain({"--pixel", "16,16"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    for (const char* said :
+         {"pixel (16, 16), sample 0 of a, cpu", "event 0, found by rasterization",
+          "point    primitive 0", "light    reaches the point", "primary ray, grid frame",
+          "hits 0 at t", "shadow ray", "open", "view ", "tile (", "lists 1", ": hit", "radiance ("})
+        EXPECT_NE(run.out.find(said), std::string::npos) << said << "\n" << run.out;
+}
+
+TEST_F(Explain, SaysTheSameAsJson) {
+    const Json all = json({"--pixel", "16,16", "--bounces", "2"});
+    ASSERT_EQ(all["events"].size(), 2u);
+    const Json& first = all["events"][0];
+    EXPECT_EQ(first["point"]["primitive"], 0);
+    EXPECT_EQ(first["rasterized"], true);
+    EXPECT_EQ(first["lit"], true);
+    ASSERT_EQ(first["rays"].size(), 2u);
+    EXPECT_EQ(first["rays"][0]["kind"], "primary");
+    EXPECT_EQ(first["rays"][0]["hit"]["primitive"], 0);
+    EXPECT_EQ(first["rays"][1]["kind"], "shadow");
+    EXPECT_EQ(first["rays"][1]["blocked"], false);
+    // The second event leaves for the background.
+    EXPECT_EQ(all["events"][1]["point"], Json());
+    EXPECT_EQ(all["events"][1]["rays"][0]["kind"], "indirect");
+    EXPECT_EQ(all["events"][1]["rays"][0]["skip"], 0);
+    for (int c = 0; c < 3; ++c) {
+        double sum = 0.0;
+        for (const Json& event : all["events"]) sum += event["added"][c].get<double>();
+        EXPECT_NEAR(sum, all["radiance"][c].get<double>(), 1e-6);
+    }
+    EXPECT_EQ(json({"--pixel", "16,16", "--bounces", "2", "--event", "1"})["events"].size(), 1u);
+    // Another sample has another ray.
+    EXPECT_NE(json({"--pixel", "16,16", "--sample", "5"})["events"][0]["rays"][0]["direction"],
+              first["rays"][0]["direction"]);
+}
+
+TEST_F(Explain, ListsATileAndAPrimitive) {
+    const Json ofPrimitive = json({"--primitive", "0", "--tile", "8", "--bins", "4"});
+    ASSERT_FALSE(ofPrimitive["entries"].empty());
+    for (const Json& entry : ofPrimitive["entries"]) {
+        EXPECT_EQ(entry["right"], true);
+        const std::string at = std::to_string(entry["view"].get<int>()) + "," +
+                               std::to_string(entry["tile"][0].get<int>()) + "," +
+                               std::to_string(entry["tile"][1].get<int>());
+        const Json ofTile = json({"--tile", "8", "--tile", at, "--bins", "4"});
+        ASSERT_EQ(ofTile["entries"].size(), 1u) << at;
+        EXPECT_EQ(ofTile["entries"][0], entry);
+    }
+    const Outcome text = explain({"--primitive", "0"});
+    EXPECT_NE(text.out.find(", 0 wrong\n"), std::string::npos) << text.out;
+}
+
+TEST_F(Explain, AsksForWhatThereIs) {
+    EXPECT_EQ(error({}),
+              "dirt: explain: one of --pixel X,Y, --tile VIEW,X,Y and --primitive ID says "
+              "what\n");
+    EXPECT_EQ(error({"--pixel", "1,1", "--primitive", "0"}), error({}));
+    EXPECT_EQ(error({"--pixel", "32,0"}), "dirt: --pixel 32,0: the image has 32x32 pixels\n");
+    EXPECT_EQ(error({"--pixel", "3"}),
+              "dirt: --pixel: '3' is not X,Y, whole numbers from 0 to 65535\n");
+    EXPECT_EQ(error({"--pixel", "3,4,"}),
+              "dirt: --pixel: '3,4,' is not X,Y, whole numbers from 0 to 65535\n");
+    EXPECT_EQ(error({"--primitive", "1"}), "dirt: --primitive 1: there are 1, counted from 0\n");
+    EXPECT_EQ(error({"--tile", "6,0,0"}), "dirt: --tile: view 6: there are 6, counted from 0\n");
+    EXPECT_EQ(error({"--tile", "0,9,0", "--tile", "16"}), "dirt: --tile: the view has 2x2 tiles\n");
+    EXPECT_EQ(error({"--pixel", "0,0", "--tile", "0"}),
+              "dirt: --tile: '0' is not a number from 1 to 64\n");
+    EXPECT_EQ(error({"--pixel", "1,1", "--event", "3"}),
+              "dirt: --event 3: the path events of 3 bounces are 0 to 2\n");
+    EXPECT_NE(error({"--pixel", "1,1", "--spp", "4"}).find("no effect"), std::string::npos);
+}
+
+/// A backend that answers otherwise than the definition over its own grid is told so.
+TEST(ExplainText, NamesWhatIsDifferent) {
+    EventAccount event;
+    event.hit = {3, 0.5f};
+    event.ray.direction = {0, 0, 1};
+    ExplainedRay ray{"indirect", {{}, {0, 0, 1}}, {}, RayTrail()};
+    ray.trail->hit = {3, 0.5f};
+    EXPECT_EQ(disagreement(event, ray), "");
+    ray.trail->hit.t = 0.25f;
+    EXPECT_EQ(disagreement(event, ray), "the backend hits 3 at t 0.5, the definition 3 at 0.25");
+    ray.trail->hit = {2, 0.5f};
+    EXPECT_EQ(disagreement(event, ray), "the backend hits 3 at t 0.5, the definition 2 at 0.5");
+    event.rasterized = true;
+    event.point.primitive = 3;
+    EXPECT_EQ(disagreement(event, ray), "rasterization sees primitive 3, the ray hits 2");
+    event.shadowRay = ShadowRay();
+    ray.maxT = 1.0f;
+    ray.trail->blocked = true;
+    EXPECT_EQ(disagreement(event, ray), "");
+    event.lit = true;
+    EXPECT_EQ(disagreement(event, ray), "the backend says that the light reaches the point");
+}
+
+#ifdef DIRT_HAVE_EMBREE
+/// Embree has no grid: its rays and hits are told, without a way.
+TEST_F(Explain, ToldOfEmbreeToo) {
+    const Json all = json({"--pixel", "16,16", "--backend", "embree"});
+    EXPECT_EQ(all["events"][0]["traced_hit"]["primitive"], 0);
+    EXPECT_FALSE(all["events"][0]["rays"][0].contains("views"));
+    EXPECT_NE(error({"--primitive", "0", "--backend", "embree"}).find("has no lists"),
+              std::string::npos);
+}
+#endif
+
+} // namespace
+} // namespace dirt::test

@@ -1,0 +1,92 @@
+// The terms that are told of a pixel add up to the pixel, on every backend.
+
+#include "core/explain/path_account.h"
+
+#include "backend_cpu/cpu_backend.h"
+#include "backend_cpu/thread_pool.h"
+#include "core/explain/ray_trail.h"
+#include "core/frame/renderer.h"
+#include "tests/support/golden_scenes.h"
+
+#ifdef DIRT_HAVE_EMBREE
+#include "backend_embree/embree_backend.h"
+#endif
+
+#include <gtest/gtest.h>
+
+namespace dirt {
+namespace {
+
+class PathAccountOf : public testing::TestWithParam<std::string> {
+protected:
+    PathAccountOf()
+        : loaded_(loadScene(test::goldenFolder() / "scenes" / (GetParam() + ".scene"))),
+          settings_(test::goldenSettings(loaded_, 3)) {
+        settings_.grid.width = 48;
+        settings_.grid.height = 24;
+    }
+
+    /// The image's pixel is the mean of the samples'.
+    void expectSums(Backend& backend) {
+        const Image image = Renderer(loaded_.scene, settings_, backend).render().image;
+        for (const size_t pixel : {0u, 600u, 700u, 1151u}) {
+            glm::vec3 sum(0.0f);
+            for (uint32_t sample = 0; sample < 3; ++sample) {
+                const PathAccount account =
+                    accountOf(loaded_.scene, settings_, backend, pixel, sample);
+                sum += account.radiance;
+                expectTerms(account);
+            }
+            EXPECT_EQ(sum * (1.0f / 3.0f), image.pixels[pixel]) << pixel;
+        }
+    }
+
+    void expectTerms(const PathAccount& account) {
+        glm::vec3 gathered(0.0f);
+        ASSERT_FALSE(account.events.empty());
+        for (const EventAccount& event : account.events) {
+            gathered += event.added;
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(event.emitted[c] + event.reflected[c], event.added[c],
+                            1e-6f * (1.0f + account.radiance[c]));
+                EXPECT_GE(event.reflected[c], -1e-6f * (1.0f + account.radiance[c]));
+                if (event.shadowRay && !event.lit)
+                    EXPECT_NEAR(event.reflected[c], 0.0f, 1e-6f * (1.0f + account.radiance[c]));
+            }
+            if (!account.grid || event.rasterized) continue;
+            const Ray ray{event.ray.origin, event.ray.direction, event.ray.skip};
+            const RayTrail trail = closestTrail(*account.grid, account.geometry, ray);
+            EXPECT_EQ(trail.hit.primitive, event.hit.primitive);
+            EXPECT_EQ(trail.hit.t, event.hit.t);
+            if (!event.shadowRay) continue;
+            EXPECT_EQ(anyTrail(*account.grid, account.geometry, event.shadowRay->ray,
+                               event.shadowRay->maxT)
+                          .blocked,
+                      !event.lit);
+        }
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(gathered[c], account.radiance[c], 1e-6f * (1.0f + account.radiance[c]));
+    }
+
+    LoadedScene loaded_;
+    RenderSettings settings_;
+    ThreadPool pool_{2};
+};
+
+TEST_P(PathAccountOf, AddsUpOnTheCpu) {
+    CpuBackend backend(pool_);
+    expectSums(backend);
+}
+
+#ifdef DIRT_HAVE_EMBREE
+TEST_P(PathAccountOf, AddsUpWithEmbree) {
+    EmbreeBackend backend(pool_);
+    expectSums(backend);
+}
+#endif
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PathAccountOf, testing::ValuesIn(test::goldenScenes()),
+                         [](const auto& info) { return info.param; });
+
+} // namespace
+} // namespace dirt
