@@ -1,7 +1,7 @@
 // The structure that OpenGL builds, against the definition: the same, lists as sets.
 
-#include "backend_gl/gl_backend.h"
-#include "core/io/error.h"
+#include <dirt/backend_gl/gl_backend.h>
+#include <dirt/core/io/error.h>
 
 #include <gtest/gtest.h>
 

@@ -2,16 +2,16 @@
 // with "//!".
 
 //! headers
-#include "core/probe/grid_probe.h"
+#include <dirt/core/probe/grid_probe.h>
 
 #include <gtest/gtest.h>
 
 using namespace dirt;
 //! end
 
-#include "backend_cpu/cpu_backend.h"
-#include "backend_cpu/thread_pool.h"
-#include "core/trace/traverse.h"
+#include <dirt/backend_cpu/cpu_backend.h>
+#include <dirt/backend_cpu/thread_pool.h>
+#include <dirt/core/trace/traverse.h>
 
 namespace {
 
