@@ -13,8 +13,8 @@ LeafBox boxOfCell(const Grid& grid, int view, int tile, int bin) {
     const View& v = grid.views[view];
     const DepthBounds& bounds = grid.bounds(view, tile);
     const BinMap map(bounds, grid.settings.bins);
-    // (w - near) scale has three roundings, of 2^-24 each, and the sums here one more; all lie
-    // within 2^-21 of the far depth.
+    // The bin of w, (w - near) scale, has three roundings of 2^-24 each, scale's among them; what
+    // stands here, four. None is of more than the far depth, and 2^-21 is eight.
     const float slack = kCellSlack * bounds.far;
     const float thickness = map.scale > 0.0f ? 1.0f / map.scale : FLT_MAX;
     const float near =

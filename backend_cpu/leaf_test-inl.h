@@ -94,7 +94,7 @@ struct LeafRay {
         const float v = cx * ay - cy * ax;
         const float w = ax * by - ay * bx;
         const float largest = std::max(std::max(-lowX, highX), std::max(-lowY, highY));
-        const float error = largest * (4.0f * lateralError + kAreaError * largest);
+        const float error = largest * (4.0f * lateralError);
         const bool beside = (lowX > lateralError) | (highX < -lateralError) |
                             (lowY > lateralError) | (highY < -lateralError);
         return !(beside | ((most(u, v, w) > error) & (least(u, v, w) < -error)));

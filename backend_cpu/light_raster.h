@@ -17,12 +17,13 @@ namespace dirt {
 // 2 u P / w, which is P / w places. The place of p is found in float: p's components, one over the
 // largest, their product and the sum with 1 are off by 3 places. An edge of a rasterized triangle
 // is off by half a place at most. So what a ray meets at a depth of `near` or more lies within the
-// guard of where the ray is looked up; the factor covers roundings of these numbers.
+// guard of where the ray is looked up; the half place that is left covers the roundings of these
+// numbers in double.
 
 /// How many places beside a triangle's part no nearer than \p near a ray may be looked up that
 /// meets it.
 inline double lightGuard(double reach, double near) {
-    return reach * (1.0 + kLightGuard) / near + kLightPlaces;
+    return reach / near + kLightPlaces;
 }
 
 /// Ranges of no more nodes are listed whole, without a look at edges.

@@ -110,8 +110,8 @@ public:
             }
         }
         // As lightGuard.
-        const V guard = hn::Add(hn::Mul(hn::Set(d, grid.reach * (1.0 + kLightGuard)), most),
-                                hn::Set(d, kLightPlaces));
+        const V guard =
+            hn::Add(hn::Mul(hn::Set(d, (double) grid.reach), most), hn::Set(d, kLightPlaces));
         const auto places = [&](V slope)
                                 HWY_ATTR { return hn::Mul(hn::Add(slope, one), perSlope); };
         const auto first = [&](V slope) HWY_ATTR {
@@ -153,7 +153,7 @@ private:
 /// f . ((b - p) x (c - b)), less than u |p| (|e|_1 + 2 |p| |c - b|_1). The float evaluation of e .
 /// p adds 5 u |e|_1 |p| (e, p, the products and two sums), the cross product in double 2^-48 size^2
 /// |p|. Of the own plane, n . p - offset, the sign is that of n . (o - a) exactly. Here it is off
-/// by 5 u |p| and 2 u |offset|, and by a = (2^-48 length^2 / |n|_1 + 2^-50) size from double, and
+/// by 5 u |p| and 2 u |offset|, and by a = (2^-48 length^2 / |n|_1 + 2^-51) size from double, and
 /// |p| is not below `nearest`. An |offset| above 2 |p| leaves more than half of it, beyond doubt.
 /// So a lane beyond the margin has the exact sign. Errors in double are those of LightTriangle.
 HWY_INLINE void LightLanes::writeRecords(const LightGrid& grid, uint32_t which,
@@ -196,8 +196,7 @@ HWY_INLINE void LightLanes::writeRecords(const LightGrid& grid, uint32_t which,
     const V error =
         hn::Add(hn::Mul(set(kLightError), squaredLength), hn::Mul(set(kLightNormalError), own));
     const V unclear = hn::Mul(error, size);
-    auto clear = hn::And(hn::Gt(hn::Abs(determinant), unclear),
-                         hn::Gt(scale, hn::Mul(set(kLightScaleClear), squaredSize)));
+    auto clear = hn::And(hn::Gt(hn::Abs(determinant), unclear), hn::Gt(scale, hn::Zero(d)));
     const V one = set(1.0);
     const V perScale = hn::Div(one, hn::IfThenElse(clear, scale, one));
     const V perOwn = hn::Div(one, hn::IfThenElse(clear, own, one));

@@ -27,14 +27,15 @@ inline constexpr double kForever = std::numeric_limits<double>::infinity();
 /// The part of a ray in one view, and its numbers in the view's frame.
 ///
 /// Crossings are those of core's ViewRay: t = N / D and w = m / D, here through one reciprocal,
-/// with relative errors below 2^-50. What core decides at corners by the side of the line, this
+/// with relative errors of 4 * 2^-53. What core decides at corners by the side of the line, this
 /// walk leaves to the guard band. At a border s that is crossed at t_s, the ray at t has
-/// |x - s w| = |D (t - t_s)|; between t_s and its computed value that is at most 2^-50 |N| <=
-/// 2^-50 (1 + S) |o|, S the slope at the rim. So a point of the ray lies in the tile it is visited
-/// in but for a slope of 2^-49 max(1, S) |o| / w. Where the ray keeps w >= 2^-26 max(1, 1/S) |o|,
-/// that is 2^-23 S, and less than 1/1024 of a tile, which is 2^-22 S at 8192 tiles: within the
-/// 1/512 that tiles list. Its depth is likewise off by 2^-50 (|o| + w) <= 2^-23 w. Rays that come
-/// nearer to the eye are not walked.
+/// |x - s w| = |D (t - t_s)|; between t_s and its computed value that is at most 2^-51 |N| <=
+/// 2^-51 (1 + S) |o|, S the slope at the rim. So a point of the ray lies in the tile it is visited
+/// in but for a slope of 2^-50 max(1, S) |o| / w. Where the ray keeps w >= 2^-26 max(1, 1/S) |o|,
+/// that is 2^-24 S, and less than 1/4096 of a tile, which is 2^-24 S at 8192 tiles: within the
+/// 1/512 that tiles list. Its depth is likewise off by 2^-51 (|o| + w), by that of a crossing, or
+/// 2^-52 (|o| + w) at the view's rim, and less than 2^-24 w in all. Rays that come nearer to the
+/// eye are not walked.
 struct ViewPart {
     double o[2], d[2], ow, dw; ///< x and y; w
     double begin, end;         ///< rounded outwards
@@ -76,8 +77,8 @@ struct ViewParts {
                     const V t = hn::Neg(hn::Div(a, b));
                     const auto enters = hn::Gt(b, zero), leaves = hn::Lt(b, zero);
                     const auto outside = hn::And(hn::Eq(b, zero), hn::Lt(a, zero));
-                    const V early = hn::Mul(t, hn::Set(tag, 1.0 - kCrossingSlack));
-                    const V late = hn::Mul(t, hn::Set(tag, 1.0 + kCrossingSlack));
+                    const V early = hn::Mul(t, hn::Set(tag, 1.0 - kVisitSlack));
+                    const V late = hn::Mul(t, hn::Set(tag, 1.0 + kVisitSlack));
                     begin = hn::IfThenElse(enters, hn::Max(begin, early), begin);
                     end = hn::IfThenElse(leaves, hn::Min(end, late), end);
                     end = hn::IfThenElse(outside, hn::Set(tag, -1.0), end);

@@ -19,12 +19,12 @@
 // Where w is small against x the error is small against x and decides nothing.
 //
 // Edge planes. The normal a x b is formed in double: products of floats are exact there, so each
-// component has one rounding; rounded to float its relative error is u. Then
-// fl(n_x s + n_y t + n_z) has an error below 4 u (|n_x s| + |n_y t| + |n_z|), and the rounding of s
-// and t adds u (|n_x s| + |n_y t|). If |n_z| > 3 S (|n_x| + |n_y|) the sign is beyond doubt;
-// otherwise the error is below 17 u S (|n_x| + |n_y|), while moving the corner by 3/512 of a tile
-// (from 1/128 to 1/512) changes the value by 3/512 h (|n_x| + |n_y|) = 6/512 S / n (...):
-// 17 u <= 6/512 / n holds for n <= 11,565; towards 1/64 there is more room.
+// component has one rounding; rounded to float its relative error is u. Where the sign of
+// fl(n_x s + n_y t + n_z) is in doubt, |n_z| is about |n_x s + n_y t|, and the last sum is exact.
+// So with p = |n_x s| + |n_y t| the normal is good for 2 u p, the products for u p, their sum for u
+// p, and the rounding of s and t for u p: 5 u p in all, and with higher orders less than 6 u S
+// (|n_x| + |n_y|), as if the corner were 6 u S away. From 1/128 to 1/512 of a tile it is 3/512 h =
+// 6/512 S / n: 6 u <= 6/512 / n holds for n <= 32,768; towards 1/64 there is more room.
 //
 // Vertices behind the eye's plane are replaced by the crossings of the edges with w = 0, as
 // directions: a |w_b| + b |w_a|, one rounding a component, so signs are exact.
@@ -48,9 +48,11 @@ glm::dvec3 edgeNormal(glm::vec3 a, glm::vec3 b) {
     return glm::cross(glm::dvec3(a), glm::dvec3(b));
 }
 
-/// a . (b × c) with a relative error of at most 2^-24 and the exact sign. n = a × b has a relative
-/// error of 2^-53 in each component; three products and two sums add to at most 4 * 2^-53 of the
-/// terms' magnitudes.
+/// a . (b × c) with a relative error of at most 2.5 * 2^-27 and the exact sign. With v = 2^-53,
+/// n = a × b has a relative error of v in each component, and each product one more. Where the
+/// value cancels the last sum is exact, and the first, of what the third term outweighs, is off by
+/// v of half of the terms' magnitudes: 2.5 v of them, which kSignDoubt makes 2.5 * 2^-27 of the
+/// value.
 double orientation(const ViewTriangle& triangle) {
     const auto& v = triangle.vertices;
     for (const glm::dvec3& n : triangle.normals)

@@ -20,7 +20,7 @@ struct ViewTriangle {
     std::array<glm::vec3, 3> edges;
     /// The same as cross products, unscaled: each component is exact but for one rounding.
     std::array<glm::dvec3, 3> normals;
-    /// a . (b × c): relative error at most 2^-24, exact sign.
+    /// a . (b × c): relative error at most 2.5 * 2^-27, exact sign.
     double determinant = 0.0;
     /// The eye lies in the triangle's plane, or there is no plane.
     bool edgeOn() const { return determinant == 0.0; }

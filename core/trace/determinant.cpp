@@ -47,12 +47,16 @@ template <class Vec>
 double maxNorm(const Vec& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
+template <class Vec>
+double oneNorm(const Vec& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
 
 /// Sign of v . (x × y) in double, or 0 where that is in doubt. The bound is derived in
-/// intersect.cpp, for vectors that are differences of floats.
+/// intersect.cpp.
 int certainSign(const glm::dvec3& v, const glm::dvec3& x, const glm::dvec3& y) {
     const double value = glm::dot(v, glm::cross(x, y));
-    const double bound = kSideError * maxNorm(v) * maxNorm(x) * maxNorm(y);
+    const double bound = kEdgeError * oneNorm(v) * maxNorm(x) * maxNorm(y);
     return std::abs(value) > bound ? sign(value) : 0;
 }
 

@@ -14,7 +14,9 @@
 // Each difference has a relative error u, each product of two of them 3 u, their difference 4 u of
 // the magnitudes, times d 5 u, and two sums make it 7 u (1 + O(u)) of
 //     sum |d_i| (|B_j C_k| + |B_k C_j|) <= 2 |d|_1 |B|_max |C|_max.
-// So the error is below 16 u |d|_1 |B|_max |C|_max. Products of three floats cannot underflow.
+// So the error is below 14 u |d|_1 |B|_max |C|_max and terms of u^2; the code takes 16. Of three
+// differences (determinant.cpp) it is one more of these seven; but there only signs in doubt
+// matter, where the last sum is exact. Products of three floats cannot underflow.
 
 namespace dirt {
 namespace {
@@ -54,7 +56,7 @@ bool meet(glm::vec3 origin, glm::vec3 direction, const Triangle& triangle, const
 
     if (!plane().at(direction, out.t)) return false;
 
-    // Weights of a tiny far triangle: 2^-22 of their sum has to be above their error.
+    // Weights of a tiny far triangle: 2^-24 of their sum has to be above two of their errors.
     if (std::abs(weights.a + weights.b + weights.c) < kSureWeights * weights.bound)
         weights = exactWeights(origin, direction, triangle);
     const double sum = weights.a + weights.b + weights.c;

@@ -8,7 +8,7 @@ namespace dirt {
 /// A ray's intersection with one triangle.
 struct TriangleHit {
     float t = 0.0f;
-    float u = 0.0f, v = 0.0f; ///< barycentric weights of b and c, absolute error below 2^-22
+    float u = 0.0f, v = 0.0f; ///< barycentric weights of b and c, absolute error below 2^-23
 };
 
 /// Whether the exact ray (t >= 0) meets the closed triangle, decided by exact signs (T4): a ray in

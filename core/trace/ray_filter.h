@@ -14,12 +14,16 @@ namespace dirt {
 ///
 /// The triangle is seen from the ray: moved to the origin and sheared so that the ray becomes the z
 /// axis (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013), which leaves lateral
-/// coordinates x, y. With u = 2^-24 and N a bound of |vertex - origin|, a difference is off by u N,
-/// the shear (slope, difference, product: 3 u N) and the last subtraction (of at most 2 N: 2 u N)
-/// make it 6 u N. With L the largest lateral |coordinate|, a product of two is off by
-/// 12 u N L + u L^2, the difference of two products by 24 u N L + 4 u L^2. The code takes 8 for 6,
-/// 32 for 24 and 8 for 4, which covers terms of higher order and the rounding of the bounds.
-/// Underflow only moves values towards zero, where nothing is certain.
+/// coordinates x, y. With u = 2^-24 and N a bound of |vertex - origin|, the difference is off by
+/// u N, the shear (slope, difference, product) by 3 u N, and the last subtraction by u of what it
+/// gives: e <= 4 u N + u L, L the largest lateral |coordinate|, which is 2 N at most. A coordinate
+/// beyond 5 u N thus has its sign.
+///
+/// The difference of two products of such is off by 4 e L + 2 e^2 and the products' 2 u L^2: that
+/// is 16 u N L + 6 u L^2 + 2 e^2, and 28 u N L + 2 e^2. The code asks for more than 32 u N L: then
+/// L is above 16 u N, as no difference exceeds 2 L^2, which makes 2 e^2 less than 2 u N L, and all
+/// of it 30 u N L. The rest covers higher orders and the rounding of the bound. Underflow only
+/// moves values towards zero, where nothing is certain.
 class RayFilter {
 public:
     /// For triangles whose |coordinates| are at most \p extent, as those of a FrameGeometry.
@@ -56,8 +60,7 @@ public:
         const float w = ax * by - ay * bx;
         const float largest = std::max(
             {std::abs(ax), std::abs(ay), std::abs(bx), std::abs(by), std::abs(cx), std::abs(cy)});
-        // 4 * 8 u N L >= 24 u N L with room for the rest of the first term.
-        const float error = largest * (4.0f * lateralError_ + kAreaError * largest);
+        const float error = largest * (4.0f * lateralError_);
         return std::max({u, v, w}) > error && std::min({u, v, w}) < -error;
     }
 

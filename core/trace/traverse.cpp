@@ -71,8 +71,9 @@ struct BinRange {
     /// Leaves out the bins that the ray enters after t = \p limit.
     void shorten(double limit) {
         if (!(limit < visit_.end)) return;
-        // Its roundings are far below what the limit lies beyond a hit (kFinality), or else, where
-        // the depth hardly changes, below what lists exceed depths by (kDepthMargin).
+        // Its roundings, 2^-52 of depths, are below what the limit lies beyond a hit (kFinality has
+        // 2^-28 to spare), or else, where the depth hardly changes, below what lists exceed depths
+        // by (kDepthMargin).
         const double depth = originDepth_ + limit * depthPerT_;
         last = step > 0 ? std::min(last, bin_(roundUp(depth)))
                         : std::max(last, bin_(roundDown(depth)));

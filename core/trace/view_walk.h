@@ -35,7 +35,7 @@ struct CellLook {
 /// Where rounding leaves open which border comes first, the walk goes on in the tile beyond the
 /// corner. The neighbour that the ray may pass between its crossings A and B of the two borders
 /// needs no visit. With V = m . (s, t, 1) at the corner C, the bound in order() gives
-/// |V| < 2^-48 (|m_x s| + |m_y t|), so the image passes C at a distance d < 2^-47 S, S the length
+/// |V| < 2^-49 (|m_x s| + |m_y t|), so the image passes C at a distance d < 2^-48 S, S the length
 /// of the view's greatest slopes; guard bands are wider than 2^-22 S (1/512 of a tile, 8192 tiles).
 /// Between A and B the image is the hypotenuse of a right triangle with C at the right angle, whose
 /// other sides lie on the borders. The foot F of the altitude on C divides it: what lies between A

@@ -17,7 +17,7 @@ int signOf(double x) {
     return int(x > 0.0LF) - int(x < 0.0LF);
 }
 
-/// n . (s, t, 1) for n = a × b, with a relative error of at most 2^-24; \p sure is false where
+/// n . (s, t, 1) for n = a × b, with a relative error of at most 2^-26; \p sure is false where
 /// not even its sign is certain.
 double edgeAtCorner(dvec3 n, float s, float t, out bool sure) {
     precise double x = n.x * double(s);

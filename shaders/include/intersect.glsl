@@ -52,8 +52,8 @@ RayFilter makeFilter(Ray ray) {
     RayFilter sieve;
     int z = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
     sieve.axes = ivec3((z + 1) % 3, (z + 2) % 3, z);
-    // Division may be off by 2.5 ulp (GLSL) rather than by 0.5: 4 u N more in the shear, which the
-    // bound below has room for, as it takes 16 u N where core takes 8.
+    // Division may be off by 2.5 ulp (GLSL) rather than by 0.5: 4 u N more in the shear, which makes
+    // core's 30 u N L below 48; so the bound takes 16 u N where core takes 8.
     sieve.slope = vec2(ray.direction[sieve.axes.x], ray.direction[sieve.axes.y]) /
                    ray.direction[z];
     vec3 o = abs(ray.origin);
@@ -78,7 +78,7 @@ bool certainlyMisses(RayFilter sieve, Ray ray, Triangle triangle) {
     precise vec3 edges = x.yzx * y.zxy - y.yzx * x.zxy;
     vec3 size = max(abs(x), abs(y));
     float largest = max(max(size.x, size.y), size.z);
-    float error = largest * (4.0 * sieve.lateralError + largest * (2.0 * kAreaError));
+    float error = largest * (4.0 * sieve.lateralError);
     return max(max(edges.x, edges.y), edges.z) > error &&
            min(min(edges.x, edges.y), edges.z) < -error;
 }

@@ -5,7 +5,7 @@
 /// Sign of v . (x × y), or 0 where double leaves it in doubt.
 int certainSign(dvec3 v, dvec3 x, dvec3 y) {
     double value = dotProduct64(v, crossProduct(x, y));
-    precise double bound = kSideError * maxNorm(v) * maxNorm(x) * maxNorm(y);
+    precise double bound = kEdgeError * oneNorm(v) * maxNorm(x) * maxNorm(y);
     return abs(value) > bound ? signOf(value) : 0;
 }
 

@@ -18,11 +18,12 @@ DIRT_SHARED_BEGIN
 const double kGuardBand = 1.0f / 128.0f;
 
 /// n . v in double, n a cross product of floats rounded once: where it exceeds this part of its
-/// terms' magnitudes, which are off by 4 * 2^-53 of them, it has the exact sign and a relative
-/// error of 2^-24. Below, exact sums decide (clip.cpp).
+/// terms' magnitudes, of which it is off by 2.5 * 2^-53 at most, it has the exact sign and a
+/// relative error of 2.5 * 2^-27. Below, exact sums decide (coverage.cpp).
 const double kSignDoubt = DIRT_TWO_TO_MINUS(26);
 
-/// A depth found by the clip: two factors are off by 2^-24 each, and little more (clip.cpp).
+/// A depth found by the clip is good for 2^-24 (clip.cpp). That it is moved by four times as much
+/// is part of what lists are, to the bit; G2 allows four times more.
 const double kDepthMargin = DIRT_TWO_TO_MINUS(22);
 
 // ---------------------------------------------------------------- hits
@@ -33,14 +34,16 @@ const double kDepthMargin = DIRT_TWO_TO_MINUS(22);
 /// 2^-23 (1 + 2^-3). Results below FLT_MIN become zero.
 const float kRelativeErrorT = 1.125f * DIRT_TWO_TO_MINUS(23);
 
-/// How far behind the best hit, relative to its t, a search goes on: twice err(t) (hit_rules.h).
-const double kFinality = 2.25f * DIRT_TWO_TO_MINUS(23);
+/// How far behind the best hit, relative to its t, a search goes on: the error of one hit,
+/// 2^-24 + 2^-28, rounded up (hit_rules.h).
+const double kFinality = 1.125f * DIRT_TWO_TO_MINUS(24);
 
 /// How far inside the view's border, relative to t, a ray in single mode ends: twice err(t)
-/// (view_cone.h).
+/// (view_cone.h). The error of one hit would do; this is part of what such a view shows.
 const double kConeInset = 2.25f * DIRT_TWO_TO_MINUS(23);
 
-/// Error of an edge's determinant, of the product of three norms: 16 * 2^-53 (intersect.cpp).
+/// Error of the determinant of an edge or a side, of the product of three norms: 14 * 2^-53
+/// (intersect.cpp).
 const double kEdgeError = DIRT_TWO_TO_MINUS(49);
 
 /// The plane's determinants: the same error where the value is above this part of the norms is
@@ -48,11 +51,9 @@ const double kEdgeError = DIRT_TWO_TO_MINUS(49);
 const double kPlaneDoubt = DIRT_TWO_TO_MINUS(20);
 
 /// By how much the sum of the weights has to exceed the error of one for the barycentric weights
-/// to be good for 2^-22, three errors and two roundings among them.
+/// to be good for 2^-23: u is off by (1 - u) of one error and u of two more, which is two at most,
+/// and by a rounding of 2^-25.
 const double kSureWeights = 1.0f / DIRT_TWO_TO_MINUS(25);
-
-/// On which side of a plane: 16 * 2^-53 for vectors that are differences, 4 to spare.
-const double kSideError = DIRT_TWO_TO_MINUS(47);
 
 /// The normal of a thinner triangle, relative to its edges, is found exactly (offset.cpp).
 const double kNeedle = DIRT_TWO_TO_MINUS(30);
@@ -62,85 +63,83 @@ const double kOffsetStep = DIRT_TWO_TO_MINUS(23);
 
 // ---------------------------------------------------------------- the filter before a decision
 
-/// Of a lateral coordinate: 8 u of N, u = 2^-24 (ray_filter.h).
+/// Of a lateral coordinate, of N: 5 u, u = 2^-24; four times this bounds the determinants of two,
+/// which need 30 u of N and the largest (ray_filter.h).
 const float kLateralError = DIRT_TWO_TO_MINUS(21);
-
-/// Of a determinant of lateral coordinates, of their largest squared: 8 u (ray_filter.h).
-const float kAreaError = DIRT_TWO_TO_MINUS(21);
 
 // ---------------------------------------------------------------- the walk
 
-/// Parameters at which borders are crossed, and their comparison: below 2^-51 each (view_ray.h).
+/// Parameters at which borders are crossed, and their comparison: 7 * 2^-53 each, 5 of them by a
+/// division that GLSL promises to 2.5 ulp (view_ray.h).
 const double kCrossingSlack = DIRT_TWO_TO_MINUS(49);
 
-/// Which border comes first, of the terms' magnitudes: m has one rounding a component, the products
-/// and sums one each, below 4 * 2^-53; view_walk.h shows what twice that costs.
-const double kCornerDoubt = DIRT_TWO_TO_MINUS(50);
+/// Which border comes first, of the terms' magnitudes: m has one rounding a component, two products
+/// and their sum one each, where the whole cancels 2 * 2^-53; view_walk.h shows what more costs.
+const double kCornerDoubt = DIRT_TWO_TO_MINUS(51);
 
-/// Depths of a ray at borders: exact to 2^-51; twice that at the ends, with room.
-const double kDepthSlack = DIRT_TWO_TO_MINUS(48);
+/// Depths of a ray at borders: 7 * 2^-53, as above, and the rounding of what they are moved to.
+const double kDepthSlack = DIRT_TWO_TO_MINUS(50);
 
 #ifdef __cplusplus
 
 // ---------------------------------------------------------------- backend_cpu: walk and leaves
 
-/// Parameters and depths of SIMD's walk (tile_walk-inl.h), and the part of |o| that the depth of a
-/// ray has to keep for its proof to hold (tracer.cpp).
-const double kVisitSlack = DIRT_TWO_TO_MINUS(48);
-const double kVisitDepthSlack = DIRT_TWO_TO_MINUS(21);
+/// Parameters and depths of SIMD's walk: 4 * 2^-53, and the rounding of what they are moved to;
+/// 2^-24, and the rounding to float (tile_walk-inl.h). The part of |o| that the depth of a ray has
+/// to keep for that (tracer.cpp).
+const double kVisitSlack = DIRT_TWO_TO_MINUS(50);
+const double kVisitDepthSlack = DIRT_TWO_TO_MINUS(23);
 const double kNearestWalked = DIRT_TWO_TO_MINUS(26);
 
-/// The parameters of a visit as floats: one rounding of 2^-24 (leaf_test-inl.h).
-const double kPartSlack = DIRT_TWO_TO_MINUS(22);
+/// The parameters of a visit as floats: one rounding of 2^-24, and one of a double
+/// (leaf_test-inl.h).
+const double kPartSlack = DIRT_TWO_TO_MINUS(23);
 
 /// Planes of boxes, and the least component of a direction, of the largest (leaf_test-inl.h).
 const float kBoxPad = DIRT_TWO_TO_MINUS(21);
 const float kLeastDirection = DIRT_TWO_TO_MINUS(40);
 
-/// The ends of a cell, of the tile's far depth (leaf_boxes.cpp).
+/// The ends of a cell, of the tile's far depth: seven roundings of 2^-24 (leaf_boxes.cpp).
 const float kCellSlack = DIRT_TWO_TO_MINUS(21);
 
-/// A component of a triangle's normal, of its two products: below 2^-51 (without_area.cpp).
-const double kThinDoubt = DIRT_TWO_TO_MINUS(49);
+/// A component of a triangle's normal, of its two products: 3 * 2^-53 (without_area.cpp).
+const double kThinDoubt = DIRT_TWO_TO_MINUS(51);
 
 // ---------------------------------------------------------------- backend_cpu: the light grid
 
-/// Of the guard's places that grow with the distance, and places besides (light_raster.h).
-const double kLightGuard = DIRT_TWO_TO_MINUS(8);
+/// Places of the guard besides those that grow with the distance: 3.5 (light_raster.h).
 const double kLightPlaces = 4.0;
 
 /// Nothing listed is nearer than this part of the reach: what comes nearer is tested by all rays.
 const float kLightNearest = DIRT_TWO_TO_MINUS(11);
 
-/// So all that rays meet is within 2^11 (1 + 2^-8) + 4 places, some 2^-12 of slope, of where they
+/// So all that rays meet is within 2^11 + 4 places, some 2^-12 of slope, of where they
 /// are looked up. Triangles that stay nearly twice as far within a face are in no other's lists.
 const double kLightRim = DIRT_TWO_TO_MINUS(11);
 
-/// Depths rounded to float stay below what they bound; a point of a ray is at most (1 + 2^-24) as
-/// deep as its origin.
-const double kLightBelow = DIRT_TWO_TO_MINUS(20);
-const float kLightBeyond = DIRT_TWO_TO_MINUS(20);
+/// Depths, off by 2^-24, and rounded to float, stay below what they bound. A point of a ray is at
+/// most (1 + 2^-24) as deep as its origin, whose depth has two roundings.
+const double kLightBelow = DIRT_TWO_TO_MINUS(22);
+const float kLightBeyond = DIRT_TWO_TO_MINUS(22);
 
 /// Of the cone's angle and slopes. Wider than what the rounding of axis and angle, 2^-22 each, may
-/// cost: rays beside the rectangles would be traced in the ordinary way.
-const double kLightConeSlack = DIRT_TWO_TO_MINUS(16);
+/// cost, slopes twice that: rays beside the rectangles would be traced in the ordinary way.
+const double kLightConeSlack = DIRT_TWO_TO_MINUS(19);
 
-/// Errors of a LightTriangle in double (light_raster.h): of its determinants and edges, of the
-/// squared size; of its normal, of the 1-norm.
-const double kLightError = DIRT_TWO_TO_MINUS(46);
-const double kLightNormalError = DIRT_TWO_TO_MINUS(49);
+/// Errors of a LightTriangle in double (light_raster.h): 24 * 2^-53 of the squared size for its
+/// determinant, and for three components of an edge's normal; 4 * 2^-53 of the normal's 1-norm.
+const double kLightError = DIRT_TWO_TO_MINUS(48);
+const double kLightNormalError = DIRT_TWO_TO_MINUS(50);
 
 /// An edge bounds rows, and a plane bounds depths, where what divides exceeds this part of the
 /// squared size: then errors are below half a place, and below 2^-24 of the depth.
 const double kLightEdgeClear = DIRT_TWO_TO_MINUS(24);
-const double kLightDepthClear = DIRT_TWO_TO_MINUS(22);
+const double kLightDepthClear = DIRT_TWO_TO_MINUS(24);
 
-/// A record of planes (light_setup-inl.h): least size of the edges' normals, of the squared size;
-/// rounding to float; what double adds to the own plane.
-const double kLightScaleClear = DIRT_TWO_TO_MINUS(40);
+/// A record of planes (light_setup-inl.h): rounding to float; what double adds to the own plane.
 const double kLightRecord = DIRT_TWO_TO_MINUS(24);
-const double kLightOwnError = DIRT_TWO_TO_MINUS(47);
-const double kLightOwnRounding = DIRT_TWO_TO_MINUS(50);
+const double kLightOwnError = DIRT_TWO_TO_MINUS(48);
+const double kLightOwnRounding = DIRT_TWO_TO_MINUS(51);
 
 #endif
 

@@ -340,5 +340,18 @@ TEST(LeafTracer, GoesOnWhereTheNextTileMayHoldANearerHit) {
     EXPECT_LT(scalar, (uint64_t) count / 5);
 }
 
+/// A hit's record belongs to the first tile that may hold it, as far as a float tells.
+TEST(LeafTracer, FilesHitsUnderTheFirstTileThatMayHoldThem) {
+    Random random(14);
+    for (int i = 0; i < cases(300, 20000); ++i) {
+        const FiledCase c = filedCase(random);
+        const Structure s(c.geometry, c.set.camera, c.set.settings);
+        Hit hit;
+        LeafTracer(s.geometry, s.grid, s.leaves).closest({&c.ray, 1}, {&hit, 1});
+        ASSERT_TRUE(hit.found()) << hex(c.ray) << " in case " << i;
+        ASSERT_EQ((int) hit.tile, c.tileOf(hit.t)) << hex(c.ray) << " in case " << i;
+    }
+}
+
 } // namespace
 } // namespace dirt::test

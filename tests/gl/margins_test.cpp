@@ -1,15 +1,16 @@
 // What the shaders compute of a ray, number for number, against core: crossings and their order,
-// the part in a view, weights of triangles, new origins. Hits alone would not tell of a margin that
-// is a little too small.
+// the part in a view, depths in a tile, weights of triangles, new origins. Hits alone would not
+// tell of a margin that is a little too small.
 
 #include "backend_gl/gl_context.h"
 #include "backend_gl/grid_views.h"
 #include "backend_gl/program.h"
 #include "core/grid/denormals.h"
+#include "core/trace/determinant.h"
 #include "core/trace/intersect.h"
 #include "core/trace/offset.h"
 #include "core/trace/view_cone.h"
-#include "core/trace/view_ray.h"
+#include "core/trace/view_walk.h"
 #include "tests/gl/edited_shaders.h"
 #include "tests/support/grid_rays.h"
 #include "tests/support/nasty_rays.h"
@@ -17,7 +18,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cfloat>
+
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 namespace dirt::test {
@@ -43,9 +47,12 @@ struct Answer {
     int order, hit, clipped;
     float offset[3];
     int refused; ///< by the filter
+    int tile;    ///< where the walk starts, or -1; and the ray's depths there
+    float near, far;
 };
 
 const char* const kProbe = R"(#version 450 core
+#include "include/view_walk.glsl"
 #include "include/view_cone.glsl"
 #include "include/offset.glsl"
 #include "shaders/shared/margins.h"
@@ -64,7 +71,8 @@ struct Answer {
     float partBegin, partEnd, t, u, v;
     int order, hit, clipped;
     float offset[3];
-    int refused;
+    int refused, tile;
+    float near, far;
 };
 layout(std430, binding = 0) readonly buffer Questions { Question questions[]; };
 layout(std430, binding = 1) buffer Answers { Answer answers[]; };
@@ -79,6 +87,15 @@ void main() {
     r.end = span.end;
     r.depth = span.depth;
     r.order = orderOf(seen, q.columnBorder, q.rowBorder);
+    ViewWalk walk = startWalk(q.view, seen, span, 0);
+    TileVisit visit;
+    r.tile = -1;
+    if (r.clipped != 0 && all(greaterThanEqual(walk.tile, ivec2(0)))) {
+        offerTile(walk, exitOf(walk, 0), visit); // the answer depends on a pyramid: none here
+        r.tile = walk.tile.y * grid.columns + walk.tile.x;
+        r.near = visit.near;
+        r.far = visit.far;
+    }
     vec2 part = partInView(ray);
     r.partBegin = part.x;
     r.partEnd = part.y;
@@ -135,6 +152,21 @@ void expectSameView(const Grid& grid, const Question& q, const Answer& answer) {
         EXPECT_EQ(answer.end, span.end) << hex(rayOf(q));
         EXPECT_EQ(answer.depth, span.depth) << hex(rayOf(q));
     }
+    int tile = -1;
+    if (clipped) {
+        const double forever = INFINITY;
+        ViewWalk walk(ray, span, grid.pyramids[(size_t) q.view], 0);
+        if (walk.valid())
+            walk.run(
+                forever, [](const CellLook&) {},
+                [&](const TileVisit& visit) {
+                    if (tile >= 0) return;
+                    tile = visit.tile;
+                    EXPECT_EQ(answer.near, visit.near) << hex(rayOf(q));
+                    EXPECT_EQ(answer.far, visit.far) << hex(rayOf(q));
+                });
+    }
+    EXPECT_EQ(answer.tile, tile) << hex(rayOf(q));
     EXPECT_EQ(answer.order,
               ray.order(view.s[(size_t) q.columnBorder], view.t[(size_t) q.rowBorder]))
         << hex(rayOf(q));
@@ -167,6 +199,61 @@ void expectSameHit(const Question& q, const Answer& answer) {
         << hex(rayOf(q)) << hex(t);
 }
 
+/// A ray past a corner of tiles, about as near as the order of its borders can be told.
+Ray pastCorner(Random& random, const View& view, glm::vec3 corner) {
+    Ray best;
+    double nearest = HUGE_VAL;
+    for (int i = 0; i < 200; ++i) {
+        glm::vec3 origin, direction;
+        for (int k = 0; k < 3; ++k) { // some of it so small that double drops it
+            const float x = corner[k], ulp = std::nextafter(x, 9.0f * x) - x;
+            const float off = ulp * (float) random.range(-99, 99);
+            origin[k] = x + off;
+            direction[k] = -off * (float) (1.0 + random.uniform(-1, 1) * 0x1p-22);
+            if (random.chance(0.3)) direction[k] *= (float) random.powerOfTwo(-30, 0);
+        }
+        const Ray ray{fromView(view, origin), fromView(view, direction), kNoPrimitive};
+        const glm::dvec3 terms = ViewRay(view, ray).moment * glm::dvec3(corner);
+        const double part = std::abs((terms.x + terms.y) + terms.z) /
+                            (std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z));
+        const double off = std::abs(std::log2(part) + 51.5);
+        if (off < nearest) nearest = off, best = ray;
+    }
+    return best;
+}
+
+/// A ray so close to a triangle's plane that double is about to be in doubt of its t, and wrong by
+/// much.
+RayCase grazing(Random& random) {
+    const auto point = [&] {
+        return glm::dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    };
+    const auto norm = [](const glm::dvec3& p) {
+        return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    };
+    RayCase best{};
+    double worst = -1.0;
+    for (int i = 0; i < 50; ++i) {
+        Triangle t{glm::vec3(point()), glm::vec3(point()), glm::vec3(point())};
+        for (glm::vec3* p : {&t.a, &t.b, &t.c})
+            (*p)[random.below(3)] *= (float) random.powerOfTwo(-40, -20); // differences round
+        const glm::dvec3 a(t.a), ab = glm::dvec3(t.b) - a, ac = glm::dvec3(t.c) - a;
+        const glm::dvec3 normal = glm::cross(ab, ac), inside = a + 0.3 * ab + 0.3 * ac;
+        const glm::vec3 origin(inside + ab * random.uniform(-1, 1) + ac * random.uniform(-1, 1) +
+                               glm::normalize(normal) * std::exp2(random.uniform(-20, -17)));
+        const glm::dvec3 toA = a - glm::dvec3(origin);
+        const double value = glm::dot(normal, toA),
+                     exact = planeDeterminantExact(origin, t.a, t.b, t.c);
+        const double part =
+            std::abs(value) / (norm(ab) * norm(ac) * glm::dot(glm::abs(toA), glm::dvec3(1)));
+        const double off = part < 0x1p-20 && part > 0x1p-21 ? std::abs(value / exact + 1.0) : 0.0;
+        if (off <= worst) continue;
+        worst = off;
+        best = {{origin, glm::vec3(inside - glm::dvec3(origin))}, t, "grazing"};
+    }
+    return best;
+}
+
 TEST(GlMargins, AreThoseOfCore) {
     const GlContext context;
     context.makeCurrent();
@@ -174,6 +261,10 @@ TEST(GlMargins, AreThoseOfCore) {
     Random random(31);
     for (const ViewSet& set : {fullViews(17, 1), fullViews(64, 1), singleView(100, 50, 1, 60.0f)}) {
         Grid grid = makeEmptyGrid(set.camera, set.settings);
+        for (DepthPyramid& pyramid : grid.pyramids) {
+            for (DepthBounds& bounds : pyramid.levels[0].bounds) bounds = {0.0f, FLT_MAX};
+            buildPyramid(pyramid);
+        }
         GridRays rays(random, set);
         NastyRays nasty(random);
         std::vector<Question> questions;
@@ -186,14 +277,22 @@ TEST(GlMargins, AreThoseOfCore) {
             RayCase c = nasty.next();
             if (random.chance(0.5)) {
                 c.ray = rays.next().ray;
-                if (random.chance(0.5)) { // through the very corner, or an ulp beside it
-                    const glm::vec3 corner(view.s[(size_t) q.columnBorder],
-                                           view.t[(size_t) q.rowBorder], 1.0f);
+                const glm::vec3 corner(view.s[(size_t) q.columnBorder],
+                                       view.t[(size_t) q.rowBorder], 1.0f);
+                if (random.chance(0.2)) {
+                    c.ray = pastCorner(random, view, corner);
+                } else if (random.chance(0.5)) { // through the very corner, or an ulp beside it
                     const glm::vec3 off = nasty.direction();
                     c.ray.origin = fromView(view, corner + off);
                     c.ray.direction = fromView(view, corner) - c.ray.origin;
                 }
             }
+            if (random.chance(0.1)) {
+                // To a border in the middle, at a depth that double does not tell from 1.
+                c.ray = {fromView(view, {0x1p-60f, 0.25f, 1.0f}),
+                         fromView(view, {-1.0f, 0.0f, (float) random.sign()}), kNoPrimitive};
+            }
+            if (random.chance(0.2)) c = grazing(random);
             if (random.chance(0.25)) { // a needle, thinner than roundings
                 const int axis = random.below(3);
                 for (int i = 0; i < 2; ++i) {

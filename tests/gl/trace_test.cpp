@@ -127,5 +127,21 @@ TEST(GlTrace, GoesOnWhereTheNextTileMayHoldANearerHit) {
     }
 }
 
+/// A hit's record belongs to the first tile that may hold it, as far as a float tells.
+TEST(GlTrace, FilesHitsUnderTheFirstTileThatMayHoldThem) {
+    GlBackend gl;
+    const FlushDenormals flush;
+    Random random(14);
+    for (int i = 0; i < cases(60, 5000); ++i) {
+        const FiledCase c = filedCase(random);
+        gl.setGeometry(c.geometry);
+        gl.writeGrid(buildGrid(c.geometry, c.set.camera, c.set.settings));
+        std::vector<Hit> hits(1);
+        gl.intersect(std::vector<Ray>{c.ray}, hits);
+        ASSERT_TRUE(hits[0].found()) << hex(c.ray) << " in case " << i;
+        ASSERT_EQ((int) hits[0].tile, c.tileOf(hits[0].t)) << hex(c.ray) << " in case " << i;
+    }
+}
+
 } // namespace
 } // namespace dirt::test

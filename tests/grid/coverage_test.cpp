@@ -125,6 +125,53 @@ TEST(Coverage, DepthsHoldThoseOfTheGuardBandedTile) {
     EXPECT_GT(listed, 2'000);
 }
 
+/// Cones are wider by 1/128 of a tile, not by anything that G1 and G2 would allow as well.
+TEST(Coverage, ListsWhatMeetsTheGuardBand) {
+    const ViewSet set = fullViews(64, 1);
+    const View& view = set.views[4]; // its frame is the grid's
+    const double tile = 2.0 / 64;
+    const auto isListed = [&](double x) {
+        const glm::vec3 p((float) x, 0.01f, 1.0f);
+        return Listed({&set, &view, {p, p, p}, 40, 32, ""}).listed();
+    };
+    const double low = 40 * tile - 1.0, high = low + tile;
+    for (const double beyond : {1.0 / 128 - 1.0 / 4096, 1.0 / 256 + 1.0 / 4096}) {
+        EXPECT_TRUE(isListed(low - beyond * tile)) << beyond;
+        EXPECT_TRUE(isListed(high + beyond * tile)) << beyond;
+    }
+    const double beyond = 1.0 / 128 + 1.0 / 4096;
+    EXPECT_FALSE(isListed(low - beyond * tile));
+    EXPECT_FALSE(isListed(high + beyond * tile));
+}
+
+/// Depths are moved by 2^-22 even where they are exact: these are the bits of every backend.
+TEST(Coverage, MovesDepthsOutwards) {
+    const ViewSet set = fullViews(1, 1);
+    const TileCase c{&set, &set.views[4], {{0, 0, 1}, {0.5f, 0, 1.5f}, {0, 0.5f, 1.25f}}, 0, 0, ""};
+    const DepthInterval depths = Listed(c).depths;
+    EXPECT_EQ(depths.near, 1.0f - 0x1p-22f);
+    EXPECT_EQ(depths.far, 1.5f + 1.5f * 0x1p-22f);
+}
+
+/// An edge that leaves the guard band at a depth of 3/4 and 2^-65 of that more, which double does
+/// not see: the depths hold it.
+TEST(Coverage, DepthsHoldWhatRoundingHides) {
+    const ViewSet set = fullViews(2, 1);
+    const View& view = set.views[4];
+    const Triangle triangle{
+        {-0x1p-70f, 0.0f, 0.5f}, {3 * 0x1p-8f, 0.0f, 1.0f}, {-0x1p-8f, 0x1p-4f, 0.25f}};
+    const TileCase c{&set, &view, triangle, 0, 1, ""};
+    View banded = view;
+    banded.s = {view.sLo[0], view.sHi[0]};
+    banded.t = {view.tLo[1], view.tHi[1]};
+    const ExactDepths exact =
+        clipExactly(ExactTriangle(triangle, view), ExactCone(banded, 0, 0, {0.0, 0.0}, 0.0));
+    ASSERT_TRUE(exact.meets);
+    EXPECT_GT(compare(std::nextafter(0.75f, 1.0f), exact.far), 0);
+    EXPECT_LT(compare(0.75f, exact.far), 0);
+    EXPECT_GT(compare(Listed(c).depths.far, exact.far), 0);
+}
+
 TEST(Coverage, DecidesEdgesThroughCornersExactly) {
     Random random(20161194);
     for (int round = 0; round < cases(30, 300); ++round) {

@@ -49,4 +49,41 @@ inline FinalCase finalCase(Random& random) {
     return made;
 }
 
+/// A ray that crosses the border of a tile, and a triangle across it a little behind the border, by
+/// some roundings of t; the tile before lists it in its guard band.
+struct FiledCase {
+    ViewSet set;
+    Ray ray;
+    FrameGeometry geometry;
+    double border;      ///< t there, but for 2^-51
+    int before, behind; ///< tiles of the first view
+
+    /// The tile that a hit at \p t is filed under: that before, as long as t - err(t) is in it.
+    int tileOf(float t) const { return t * (1.0 - 1.125 * 0x1p-23) <= border ? before : behind; }
+};
+
+inline FiledCase filedCase(Random& random) {
+    FiledCase made{fullViews(random.pick({37, 64, 100}), 1), {}, {}, 0.0, 0, 0};
+    const View& view = made.set.views[0];
+    const int border = random.range(view.columns / 4, view.columns * 3 / 4);
+    const int row = random.range(view.rows / 4, view.rows * 3 / 4);
+    const double s = view.s[(size_t) border];
+    const float w = (float) random.uniform(0.3, 0.6);
+    const float y = (float) (0.5 * (view.t[(size_t) row] + view.t[(size_t) row + 1]) * w);
+    const bool up = random.chance(0.5);
+    const float step = (up ? 1.0f : -1.0f) * (float) random.uniform(0.5, 0.6);
+    const float x = (float) (s * w - step * random.uniform(1, 2));
+    made.ray = {fromView(view, {x, y, w}), fromView(view, {step, 0.0f, 0.0f}), kNoPrimitive};
+    made.border = (s * w - x) / step;
+    const float at =
+        (float) (x + step * made.border * (1.0 + std::exp2(random.uniform(-25, -22.5))));
+    const float size = 0.1f * w / (float) view.rows;
+    made.geometry.triangles = {{fromView(view, {at, y - size, w - size}),
+                                fromView(view, {at, y + size, w - size}),
+                                fromView(view, {at, y, w + size})}};
+    made.before = row * view.columns + (up ? border - 1 : border);
+    made.behind = row * view.columns + (up ? border : border - 1);
+    return made;
+}
+
 } // namespace dirt::test

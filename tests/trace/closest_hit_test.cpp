@@ -336,5 +336,23 @@ TEST(ClosestHit, GoesOnWhereTheNextTileMayHoldANearerHit) {
     EXPECT_GT(second, 50);
 }
 
+/// A hit's record belongs to the first tile that may hold it, as far as a float tells.
+TEST(ClosestHit, IsFiledUnderTheFirstTileThatMayHoldIt) {
+    Random random(14);
+    int before = 0, behind = 0;
+    for (int i = 0; i < cases(300, 20000); ++i) {
+        const FiledCase c = filedCase(random);
+        const Grid grid = buildGrid(c.geometry, c.set.camera, c.set.settings);
+        const Hit hit = closestHit(grid, c.geometry, c.ray);
+        ASSERT_TRUE(hit.found()) << hex(c.ray) << " in case " << i;
+        ASSERT_EQ((int) hit.tile, c.tileOf(hit.t)) << hex(c.ray) << " in case " << i;
+        // By more than one rounding, and by more than err(t).
+        before += (int) hit.tile == c.before && hit.t * (1.0 - 1.125 * 0x1p-24) > c.border;
+        behind += (int) hit.tile == c.behind;
+    }
+    EXPECT_GT(before, 20);
+    EXPECT_GT(behind, 20);
+}
+
 } // namespace
 } // namespace dirt::test

@@ -43,7 +43,7 @@ std::string violation(const RayCase& c) {
         bound.exponent -= 23;
         if (!isWithin(hit.t, exact.t, bound)) return "t is beyond its bound: " + hex(hit.t);
     }
-    const Fraction bound{1, 1, -22};
+    const Fraction bound{1, 1, -23};
     if (!isWithin(hit.u, exact.u, bound)) return "u is beyond its bound: " + hex(hit.u);
     if (!isWithin(hit.v, exact.v, bound)) return "v is beyond its bound: " + hex(hit.v);
     return "";

@@ -2,6 +2,7 @@
 // not tell.
 
 #include "core/trace/view_ray.h"
+#include "core/trace/view_walk.h"
 #include "tests/support/exact_point.h"
 #include "tests/support/grid_rays.h"
 #include "tests/support/print.h"
@@ -53,6 +54,37 @@ TEST(ViewRay, SpansHoldTheExactOnes) {
         ++spans;
     }
     EXPECT_GT(spans, 2'000);
+}
+
+/// T2: the depths of a tile's visit hold those of the ray in it, here one that double does not see.
+TEST(ViewRay, VisitsHoldTheExactDepths) {
+    const ViewSet set = fullViews(2, 1);
+    const View& view = set.views[4]; // its frame is the grid's
+    DepthPyramid pyramid = makeEmptyGrid(set.camera, set.settings).pyramids[4];
+    for (DepthBounds& bounds : pyramid.levels[0].bounds) bounds = {0.0f, 4.0f};
+    buildPyramid(pyramid);
+    for (const float dw : {-1.0f, 1.0f}) {
+        // x = 0 is crossed at a depth of 1 and 2^-60 less or more.
+        const Ray ray{{0x1p-60f, 0.25f, 1.0f}, {-1.0f, 0.0f, dw}, kNoPrimitive};
+        const ViewRay seen(view, ray);
+        ViewSpan span;
+        ASSERT_TRUE(seen.clip(4, span));
+        ViewWalk walk(seen, span, pyramid, 0);
+        const double forever = INFINITY;
+        int visits = 0;
+        walk.run(
+            forever, [](const CellLook&) {},
+            [&](const TileVisit& visit) {
+                if (visits++ > 0) return;
+                EXPECT_EQ(visit.tile, 3);
+                if (dw < 0.0f) {
+                    EXPECT_LT(visit.near, 1.0f);
+                } else {
+                    EXPECT_GT(visit.far, 1.0f);
+                }
+            });
+        EXPECT_GT(visits, 0);
+    }
 }
 
 /// Rays through a corner of tiles, and an ulp beside it: which border comes first is told only

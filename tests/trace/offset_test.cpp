@@ -56,6 +56,11 @@ std::string violation(const OffsetCase& c) {
 OffsetCase nasty(Random& random, NastyRays& rays) {
     OffsetCase c;
     c.triangle = rays.triangle();
+    if (random.chance(0.2)) { // a needle, thinner than the roundings of its edges
+        const glm::dvec3 along(rays.direction());
+        for (glm::vec3* p : {&c.triangle.a, &c.triangle.b, &c.triangle.c})
+            *p = glm::vec3(along * random.wide(-12, 0));
+    }
     c.u = (float) random.pick({0.0, 1.0, random.uniform()});
     c.v = (float) ((1.0 - c.u) * random.pick({0.0, 1.0, random.uniform()}));
     const glm::dvec3 ab = glm::dvec3(c.triangle.b) - glm::dvec3(c.triangle.a);

@@ -36,6 +36,17 @@ TEST(ViewCone, EndsRaysAtItsSides) {
     EXPECT_NEAR(cone().part(ray({0, 0, 3}, {0, 0, -1})).end, 3.0f, 3 * bound);
 }
 
+/// Twice err(t) before the border, and behind it where they come in: what a view shows, to the bit.
+TEST(ViewCone, EndsAreTwiceAnErrorInside) {
+    const double inset = 2 * 1.125 * 0x1p-23;
+    const auto end = cone().part(ray({0, 0, 1}, {1, 0, 0})).end;
+    EXPECT_LE(end, 2.0 * (1.0 - inset));
+    EXPECT_GT(end, 2.0 * (1.0 - inset) - 0x1p-23);
+    const auto begin = cone().part(ray({3, 0, 1}, {-1, 0, 0})).begin;
+    EXPECT_GE(begin, 1.0 + inset);
+    EXPECT_LT(begin, 1.0 + inset + 0x1p-23);
+}
+
 TEST(ViewCone, RaysInsideNeverEnd) {
     EXPECT_EQ(cone().part(ray({0.5f, 0.5f, 1}, {1, 0.5f, 1})).end, FLT_MAX);
     EXPECT_EQ(cone().part(ray({0, 0, 1}, {0, 0, 1})).end, FLT_MAX);
