@@ -18,7 +18,7 @@ namespace {
 using Channels = std::vector<ChannelInfo>;
 
 constexpr float kRelative = 1e-5f;
-constexpr float kWeights = 0x1p-21f; // twice what intersect.h promises
+constexpr float kWeights = 0x1p-22f; // twice what intersect.h promises
 
 bool isNumber(const ChannelInfo& info) {
     return info.channel.type == ExrChannel::Type::float32;

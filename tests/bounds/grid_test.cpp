@@ -124,7 +124,10 @@ TEST(Bounds, Orientation) {
         "a . (b x c): 2.5 * 2^-27",
         0.55,
         {{-0x1.3cc5ap-3f, 0x1.09aba6p-2f, 0x1.519b34p-1f, 0x1.000002p-1f, 0x1.09a8c2p-2f,
-          0x1.5196d4p-1f, 0x1.f8a172p-8f, 0x1.09ad1p-2f, 0x1.519cd4p-1f}},
+          0x1.5196d4p-1f, 0x1.f8a172p-8f, 0x1.09ad1p-2f, 0x1.519cd4p-1f},
+         // in doubt, and so exact; double would be wrong by more than the bound
+         {0x1.7dfcbap-3f, 0x1.4c52e8p-2f, 0x1.66c3eap+0f, -0x1.5de3ap-4f, 0x1.ee4dc8p+3f,
+          0x1.ffffccp-4f, 0x1.7df124p-3f, 0x1.4a63aep-2f, 0x1.66b312p+0f}},
         [](Random& random) {
             return smallTriangle(random, random.uniform(-1, 1), random.uniform(-1, 1));
         },

@@ -35,7 +35,7 @@ SOURCES = {
 
 # Test programs that concern a margin, those that end soonest first.
 # The last of a list counts a derivation anew: what only that one notices has room behind it.
-GRID = ["bounds_grid_test", "grid_coverage_test", "grid_margins_test"]
+GRID = ["grid_coverage_test", "bounds_grid_test", "grid_margins_test"]
 HITS = ["trace_offset_test", "trace_intersect_test", "bounds_trace_test", "grid_margins_test"]
 WALK = ["trace_margins_test", "trace_view_cone_test", "bounds_trace_test", "trace_visit_test",
         "trace_closest_hit_test", "grid_margins_test"]
