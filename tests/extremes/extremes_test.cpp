@@ -51,6 +51,10 @@ protected:
                 uint32_t rays) {
         RenderSettings settings = test::smallSettings();
         settings.grid.mode = mode;
+        verify(scene, name, settings, tested, rays);
+    }
+    void verify(const Scene& scene, const std::string& name, const RenderSettings& settings,
+                Backend& tested, uint32_t rays) {
         std::vector<Backend*> backends{&tested};
 #ifdef DIRT_HAVE_EMBREE
         peers_.clear();
@@ -94,6 +98,17 @@ TEST_F(Extremes, AllAreRightInFullView) {
 TEST_F(Extremes, AllAreRightInSingleView) {
     CpuBackend cpu(pool_);
     verify(test::smallScene(), "small", ViewMode::single, cpu, (uint32_t) test::cases(100, 20'000));
+}
+
+/// As core defines them, which the CPU backend does where a pyramid level is asked for.
+TEST_F(Extremes, AllAreRightByTheDefinition) {
+    CpuBackend cpu(pool_);
+    RenderSettings settings = test::smallSettings();
+    settings.grid.tile = 1, settings.grid.maxMip = 3;
+    for (const ViewMode mode : {ViewMode::full, ViewMode::single}) {
+        settings.grid.mode = mode;
+        verify(test::smallScene(), "small", settings, cpu, (uint32_t) test::cases(100, 5000));
+    }
 }
 
 /// What a frame knows of holes ends with its geometry: rays are judged without any.
