@@ -38,6 +38,9 @@ void addDump(CLI::App& program, int& status);
 /// `dirt explain SCENE`: one pixel's path, ray by ray; a tile's lists; a primitive's tiles.
 void addExplain(CLI::App& program, int& status);
 
+/// `dirt preview SCENE`: a buffer as a picture.
+void addPreview(CLI::App& program, int& status);
+
 /// `dirt generate NAME`: writes a procedural scene's geometry.
 void addGenerate(CLI::App& program, int& status);
 

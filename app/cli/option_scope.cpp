@@ -20,7 +20,8 @@ enum Command : unsigned {
     kTradeoff = 64,
     kScaling = 128,
     kExplain = 256,
-    kAll = 511,
+    kPreview = 512,
+    kAll = 1023,
     kShading = kAll & ~kVerify, ///< verify casts rays at geometry
 };
 
@@ -55,7 +56,7 @@ constexpr Scope kScopes[] = {
     {"--precision", kAll, kGrid,
      [](const CommonOptions& o) { return o.precision == Precision::exact; }},
     {"--size", kAll, kAny},
-    {"--spp", kRender | kInfo, kAny},                   // others take one sample, or say how many
+    {"--spp", kRender | kInfo | kPreview, kAny},        // others take one sample, or say how many
     {"--bounces", kShading & ~(unsigned) kFrame, kAny}, // one bounce of light is timed
     {"--ray-type", kShading, kAny},
     {"--seed", kAll, kAny},
@@ -73,9 +74,9 @@ constexpr Scope kScopes[] = {
 
 Command commandOf(const std::string& name) {
     constexpr std::pair<std::string_view, Command> kNames[] = {
-        {"render", kRender}, {"info", kInfo},   {"dump", kDump},         {"check", kCheck},
-        {"verify", kVerify}, {"frame", kFrame}, {"tradeoff", kTradeoff}, {"scaling", kScaling},
-        {"explain", kExplain}};
+        {"render", kRender},   {"info", kInfo},      {"dump", kDump},         {"check", kCheck},
+        {"verify", kVerify},   {"frame", kFrame},    {"tradeoff", kTradeoff}, {"scaling", kScaling},
+        {"explain", kExplain}, {"preview", kPreview}};
     for (const auto& [known, command] : kNames)
         if (name == known) return command;
     return kAll;

@@ -61,6 +61,7 @@ int run(int argc, const char* const* argv) {
     addInfo(program, status);
     addDump(program, status);
     addExplain(program, status);
+    addPreview(program, status);
     addGenerate(program, status);
 
     try {

@@ -1,0 +1,93 @@
+#include "core/io/error.h"
+#include "core/preview/paint.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace dirt {
+
+namespace {
+
+/// Where the views' pictures lie: one alone, or six in two rows of three.
+struct Sheet {
+    int columns, rows; ///< of a view
+    int across;        ///< views in a row
+
+    Sheet(const Grid& grid, int level)
+        : columns(grid.pyramids[0].levels[(size_t) level].columns),
+          rows(grid.pyramids[0].levels[(size_t) level].rows),
+          across(grid.views.size() > 1 ? 3 : 1) {}
+
+    int width() const { return across * columns; }
+    int height(const Grid& grid) const { return (int) grid.views.size() / across * rows; }
+    int left(size_t view) const { return (int) view % across * columns; }
+    int top(size_t view) const { return (int) view / across * rows; }
+};
+
+/// Calls \p visit(x, y, view, tile) for all cells of a level.
+template <typename Visit>
+void forEachCell(const Grid& grid, const Sheet& sheet, const Visit& visit) {
+    for (size_t view = 0; view < grid.views.size(); ++view)
+        for (int row = 0; row < sheet.rows; ++row)
+            for (int column = 0; column < sheet.columns; ++column)
+                visit(sheet.left(view) + column, sheet.top(view) + row, view,
+                      row * sheet.columns + column);
+}
+
+PreviewPicture drawDepths(const Grid& grid, int level, bool near) {
+    const Sheet sheet(grid, level);
+    HeatMap map(sheet.width(), sheet.height(grid), "in the grid frame");
+    forEachCell(grid, sheet, [&](int x, int y, size_t view, int cell) {
+        const DepthBounds& bounds =
+            grid.pyramids[view].levels[(size_t) level].bounds[(size_t) cell];
+        if (!bounds.empty()) map.at(x, y) = (double) (near ? bounds.near : bounds.far);
+    });
+    return map.paint(false);
+}
+
+PreviewPicture drawEntries(const Grid& grid, int bin) {
+    const Sheet sheet(grid, 0);
+    HeatMap map(sheet.width(), sheet.height(grid),
+                bin < 0 ? "entries a tile" : "entries of bin " + std::to_string(bin));
+    forEachCell(grid, sheet, [&](int x, int y, size_t view, int tile) {
+        size_t entries = 0;
+        for (int b = 0; b < grid.settings.bins; ++b)
+            if (bin < 0 || b == bin) entries += grid.list((int) view, tile, b).size();
+        if (entries > 0) map.at(x, y) = (double) entries;
+    });
+    return map.paint(true);
+}
+
+/// The lowest id of the first bin that lists any.
+PreviewPicture drawFirst(const Grid& grid) {
+    const Sheet sheet(grid, 0);
+    PreviewPicture picture = blank(sheet.width(), sheet.height(grid));
+    picture.scale = "a colour for each primitive";
+    forEachCell(grid, sheet, [&](int x, int y, size_t view, int tile) {
+        for (int b = 0; b < grid.settings.bins; ++b) {
+            const auto list = grid.list((int) view, tile, b);
+            if (list.empty()) continue;
+            put(picture, x, y, idColour(*std::min_element(list.begin(), list.end())));
+            return;
+        }
+    });
+    return picture;
+}
+
+} // namespace
+
+PreviewPicture drawTiles(const Grid& grid, const PreviewRequest& request) {
+    const std::string_view name = request.kind->name;
+    const int levels = (int) grid.pyramids[0].levels.size();
+    if (request.level >= levels)
+        throw InputError("--level " + std::to_string(request.level) + ": the pyramid has " +
+                         std::to_string(levels) + ", counted from 0");
+    if (request.bin >= grid.settings.bins)
+        throw InputError("--bin " + std::to_string(request.bin) + ": a tile has " +
+                         std::to_string(grid.settings.bins) + ", counted from 0");
+    if (name == "first") return drawFirst(grid);
+    if (name == "entries") return drawEntries(grid, request.bin);
+    return drawDepths(grid, request.level, name == "near");
+}
+
+} // namespace dirt
