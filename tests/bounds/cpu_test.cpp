@@ -3,6 +3,7 @@
 #include "backend_cpu/leaf_boxes.h"
 #include "backend_cpu/leaf_test-inl.h"
 #include "backend_cpu/light_raster.h"
+#include "backend_cpu/tile_walk-inl.h"
 #include "shaders/shared/margins.h"
 #include "tests/bounds/climb.h"
 #include "tests/support/exact_number.h"
@@ -89,6 +90,47 @@ TEST(Bounds, PlanesOfBoxes) {
             const double exact = (plane - o) / d;
             const double off = std::abs(entry[0] + (double) ray.pad[0] - exact) * d;
             return off / (4 * u * (6.0 + std::abs(o)));
+        }});
+}
+
+/// Where SIMD's walk leaves a tile by the border s, which it moves by kVisitSlack: four roundings,
+/// and one of that. x and w of the origin and of the direction, s.
+TEST(Bounds, CrossingsOfTheTracedWalk) {
+    expectHeld(Bound<5>{
+        "t where SIMD leaves a tile: 5 * 2^-53",
+        0.82,
+        {{-0x1.266d02p-8f, 0x1.9840aap-8f, 0x1.fff74p-2f, 0x1.000004p-2f, -0x1.7dd77ap-7f}},
+        [](Random& random) {
+            Numbers<5> in;
+            for (float& x : in) x = (float) random.uniform(-1, 1);
+            in[1] = (float) random.uniform(1, 2);
+            return in;
+        },
+        [](const Numbers<5>& in) {
+            const auto [x, w, dx, dw, s] = in;
+            const float columns[2] = {-1.0f, s}, rows[2] = {-1.0f, 1.0f};
+            if (!(w > 0.0f && w < 4.0f && x > -w && x < s * w && std::abs(s) < 1.0f))
+                return -HUGE_VAL;
+            TileDepths depths({0.0f, FLT_MAX});
+            depths.occupied = ~0u;
+            const TracedView view{{1, 1}, {columns, rows}, {0.0, 0.0}, &depths};
+            const HWY_NAMESPACE::ViewPart part{{x, 0.0}, {dx, 0.0}, w, dw, 0.0, INFINITY, w, 0};
+            double end = INFINITY;
+            uint64_t steps = 0;
+            HWY_NAMESPACE::walkTiles(view, part, end, steps,
+                                     [&](const HWY_NAMESPACE::Visit& visit) { end = visit.end; });
+            int unit = std::min(0, lowestExponent(s));
+            for (const float number : {x, w, dx, dw})
+                unit = std::min(unit, lowestExponent(s) + lowestExponent(number));
+            const auto integer = [&](double number) { return toInteger(number, unit); };
+            const Integer n = integer((double) s * w) - integer(x);
+            const Integer m = integer(dx) - integer((double) s * dw);
+            if (n <= 0 || m <= 0 || !std::isfinite(end)) return -HUGE_VAL;
+            const int least = std::min(0, lowestExponent(end));
+            const Fraction off{toInteger(end, least) * m - (n << -least), n << -least, 0};
+            if (std::abs(off.value()) > 0x1p-40) return -HUGE_VAL; // left by the other border
+            if (off.numerator <= 0) return 2.0;                    // not even the exact one
+            return std::abs(off.value() - kVisitSlack) / (5 * v);
         }});
 }
 

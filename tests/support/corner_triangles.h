@@ -7,9 +7,8 @@
 namespace dirt::test {
 
 /// A triangle whose edge ab has its middle exactly on the corner ray of a guard-banded tile: no sum
-/// of rounded products tells on which side. Some of them are needles, a few ulp wide, of which the
-/// same is true of all three edges. And small triangles around such a corner, whose orientation is
-/// a small part of its terms, about as much as double is trusted with.
+/// of rounded products tells on which side. Half of them are needles, a few ulp wide, of which the
+/// same is true of all three edges.
 struct CornerTriangle {
     int column, row;
     Triangle triangle;
@@ -34,14 +33,6 @@ inline CornerTriangle throughCorner(Random& random, const View& view) {
         c = {(float) random.uniform(-1, 1), (float) random.uniform(-1, 1),
              (float) random.uniform(-1, 1)};
     const float scale = (float) random.powerOfTwo(-8, 0);
-    if (random.chance(0.3)) {
-        const double size = std::exp2(random.uniform(-14.5, -12.0));
-        for (glm::vec3* p : {&a, &b, &c}) {
-            const double w = 1.0 + size * random.uniform(-1, 1);
-            *p = glm::vec3((corner.x + size * random.uniform(-1, 1)) * w,
-                           (corner.y + size * random.uniform(-1, 1)) * w, w);
-        }
-    }
     return {column,
             row,
             {fromView(view, a * scale), fromView(view, b * scale), fromView(view, c * scale)}};
