@@ -1,18 +1,13 @@
 #include "core/io/ear_clipping.h"
 
 #include <cmath>
+#include <utility>
 
 #include <glm/common.hpp>
 
 namespace dirt {
 
 namespace {
-
-/// Twice the signed area of abc. Coordinates are float32 values, so the differences, and nearly
-/// always the products, are exact in double.
-double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
 
 /// Newell's normal, relative to the first corner so that a polygon far from the origin keeps its
 /// digits.
@@ -59,80 +54,121 @@ void EarClipper::project(std::span<const glm::vec3> polygon) {
     const uint32_t count = (uint32_t) polygon.size();
     vertices_.resize(count);
     for (uint32_t i = 0; i < count; ++i)
-        vertices_[i] = {{polygon[i][x], polygon[i][y]},
-                        i == 0 ? count - 1 : i - 1,
-                        i + 1 == count ? 0 : i + 1,
-                        false};
-    for (uint32_t i = 0; i < count; ++i) updateConvexity(i);
+        vertices_[i] = {
+            {polygon[i][x], polygon[i][y]}, i == 0 ? count - 1 : i - 1, i + 1 == count ? 0 : i + 1};
+    anyReflex_ = false;
+    bool any = false;
+    for (uint32_t i = 0; i < count; ++i) any |= !(vertices_[i].convex = turnAt(i) > 0.0);
+    if (any) findReflex();
 }
 
+double EarClipper::turnAt(uint32_t vertex) const {
+    const Vertex& v = vertices_[vertex];
+    return turn(vertices_[v.previous].position, v.position, vertices_[v.next].position);
+}
+
+/// Puts what is not convex into points_; before the first such corner there is nothing to look for.
+void EarClipper::findReflex() {
+    positions_.clear();
+    for (const Vertex& v : vertices_) positions_.push_back(v.position);
+    points_.set(positions_);
+    for (uint32_t i = 0; i < vertices_.size(); ++i)
+        if (!vertices_[i].cut && !vertices_[i].convex) points_.use(i);
+    watched_.assign(points_.size(), PolygonPoints::kNone);
+    watches_.clear();
+    anyReflex_ = true;
+}
+
+/// Corners that were refused because of one that is convex now may be ears.
 void EarClipper::updateConvexity(uint32_t vertex) {
     Vertex& v = vertices_[vertex];
-    v.convex = turn(vertices_[v.previous].position, v.position, vertices_[v.next].position) > 0.0;
+    const bool before = std::exchange(v.convex, turnAt(vertex) > 0.0);
+    if (v.convex == before) return;
+    if (!anyReflex_) return findReflex();
+    if (!v.convex) return points_.use(vertex);
+    points_.release(vertex);
+    const uint32_t place = points_.placeOf(vertex);
+    if (points_.isUsed(place)) return;
+    for (uint32_t i = std::exchange(watched_[place], PolygonPoints::kNone);
+         i != PolygonPoints::kNone; i = watches_[i].next)
+        if (!vertices_[watches_[i].vertex].cut) due_.insert(watches_[i].vertex);
 }
 
 /// Whether another corner lies in the ear. Corners at the place of one of the ear's own don't
-/// count: polygons with holes reach them over an edge that is run through twice.
-bool EarClipper::containsVertex(uint32_t ear, Rule rule) const {
+/// count: polygons with holes reach them over an edge that is run through twice. Nor do convex
+/// ones: then a reflex one lies inside as well.
+bool EarClipper::containsVertex(uint32_t ear, Rule rule) {
+    if (!anyReflex_) return false;
     const Vertex& v = vertices_[ear];
-    const glm::dvec2 a = vertices_[v.previous].position, b = v.position,
-                     c = vertices_[v.next].position;
-    for (uint32_t i = vertices_[v.next].next; i != v.previous; i = vertices_[i].next) {
-        if (vertices_[i].convex) continue; // then a reflex one lies inside as well
-        const glm::dvec2 p = vertices_[i].position;
-        if (p == a || p == b || p == c) continue;
-        const double ab = turn(a, b, p), bc = turn(b, c, p), ca = turn(c, a, p);
-        const bool inside = rule == Rule::proper ? ab >= 0.0 && bc >= 0.0 && ca >= 0.0
-                                                 : ab > 0.0 && bc > 0.0 && ca > 0.0;
-        if (inside) return true;
-    }
-    return false;
+    const uint32_t place = points_.inside(vertices_[v.previous].position, v.position,
+                                          vertices_[v.next].position, rule == Rule::proper);
+    if (place == PolygonPoints::kNone) return false;
+    watches_.push_back({ear, std::exchange(watched_[place], (uint32_t) watches_.size())});
+    return true;
 }
 
-bool EarClipper::isEar(uint32_t vertex, Rule rule) const {
-    const Vertex& v = vertices_[vertex];
+bool EarClipper::isEar(uint32_t vertex, Rule rule) {
     switch (rule) {
     case Rule::proper:
     case Rule::noneInside:
-        return v.convex && !containsVertex(vertex, rule);
+        return vertices_[vertex].convex && !containsVertex(vertex, rule);
     case Rule::convex:
-        return turn(vertices_[v.previous].position, v.position, vertices_[v.next].position) >= 0.0;
+        return turnAt(vertex) >= 0.0;
     case Rule::any:
         break;
     }
     return true;
 }
 
+/// The next corner from \p from on, around the polygon, that may be an ear; kNone if none may.
+uint32_t EarClipper::takeDue(uint32_t from) {
+    uint32_t vertex = due_.next(from);
+    if (vertex == IndexSet::kNone) vertex = due_.next(0);
+    if (vertex != IndexSet::kNone) due_.erase(vertex);
+    return vertex;
+}
+
+void EarClipper::cut(uint32_t vertex) {
+    Vertex& v = vertices_[vertex];
+    ears_.push_back({v.previous, vertex, v.next});
+    v.cut = true;
+    vertices_[v.previous].next = v.next;
+    vertices_[v.next].previous = v.previous;
+    for (const uint32_t neighbour : {v.previous, v.next}) {
+        updateConvexity(neighbour);
+        due_.insert(neighbour);
+    }
+}
+
 std::span<const EarClipper::Ear> EarClipper::operator()(std::span<const glm::vec3> polygon) {
     ears_.clear();
-    uint32_t remaining = (uint32_t) polygon.size();
-    if (remaining < 3) return ears_;
-    if (remaining == 3) {
+    const uint32_t count = (uint32_t) polygon.size();
+    if (count < 3) return ears_;
+    if (count == 3) {
         ears_.push_back({0, 1, 2});
         return ears_;
     }
     project(polygon);
+    due_.fill(count);
     Rule rule = Rule::proper;
-    uint32_t vertex = 1, refused = 0;
-    while (remaining > 3) {
-        const uint32_t previous = vertices_[vertex].previous, next = vertices_[vertex].next;
-        if (isEar(vertex, rule)) {
-            ears_.push_back({previous, vertex, next});
-            vertices_[previous].next = next;
-            vertices_[next].previous = previous;
-            updateConvexity(previous);
-            updateConvexity(next);
-            --remaining;
-            refused = 0;
-        } else if (++refused == remaining) {
+    uint32_t first = 1, from = first; // where a round begins that no corner may pass
+    while (ears_.size() < count - 3) {
+        const uint32_t vertex = takeDue(from);
+        if (vertex == IndexSet::kNone) {
             // Once broken, a polygon stays broken: going back to the stricter rules would only
             // cost time.
             rule = (Rule) ((int) rule + 1);
-            refused = 0;
+            for (uint32_t i = 0; i < count; ++i)
+                if (!vertices_[i].cut) due_.insert(i);
+            from = first;
+            continue;
         }
-        vertex = next;
+        from = vertices_[vertex].next;
+        if (!isEar(vertex, rule)) continue;
+        cut(vertex);
+        first = from;
     }
-    ears_.push_back({vertices_[vertex].previous, vertex, vertices_[vertex].next});
+    ears_.push_back({vertices_[first].previous, first, vertices_[first].next});
     return ears_;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/io/index_set.h"
+#include "core/io/polygon_points.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -12,7 +15,9 @@ namespace dirt {
 
 /// Cuts polygons into triangles that keep their shape, concave or not (Meisters 1975), in the
 /// polygon's projection along the dominant axis of its Newell normal. Holds scratch memory, so
-/// that many polygons can be cut without allocating.
+/// that many polygons can be cut without allocating. A corner that was refused is looked at again
+/// only when it may have become an ear, so that a polygon of 10^5 corners takes no longer than to
+/// read.
 class EarClipper {
 public:
     /// A triangle by its corners' places in the polygon.
@@ -28,7 +33,8 @@ private:
     struct Vertex {
         glm::dvec2 position;
         uint32_t previous, next;
-        bool convex; ///< strictly
+        bool convex = false; ///< strictly
+        bool cut = false;    ///< off with its ear
     };
     /// What an ear must satisfy; the next one is tried when no corner satisfies the one before.
     enum class Rule {
@@ -37,14 +43,28 @@ private:
         convex,     ///< not reflex
         any
     };
+    /// A corner that is no ear because of what lies in it.
+    struct Watch {
+        uint32_t vertex, next;
+    };
 
     void project(std::span<const glm::vec3> polygon);
+    double turnAt(uint32_t vertex) const;
     void updateConvexity(uint32_t vertex);
-    bool isEar(uint32_t vertex, Rule rule) const;
-    bool containsVertex(uint32_t ear, Rule rule) const;
+    void findReflex();
+    bool isEar(uint32_t vertex, Rule rule);
+    bool containsVertex(uint32_t ear, Rule rule);
+    uint32_t takeDue(uint32_t from);
+    void cut(uint32_t vertex);
 
     std::vector<Vertex> vertices_;
     std::vector<Ear> ears_;
+    IndexSet due_;         ///< corners that may be ears: the others have been refused
+    bool anyReflex_;       ///< points_ are those of the polygon
+    PolygonPoints points_; ///< in use: of corners that are not convex
+    std::vector<glm::dvec2> positions_;
+    std::vector<uint32_t> watched_; ///< of each place, the last of its watches
+    std::vector<Watch> watches_;
 };
 
 } // namespace dirt

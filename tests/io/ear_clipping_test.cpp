@@ -1,4 +1,6 @@
 #include "core/io/ear_clipping.h"
+#include "tests/support/processor_time.h"
+#include "tests/support/random.h"
 
 #include <gtest/gtest.h>
 
@@ -212,6 +214,140 @@ TEST(EarClipping, TakesRandomGarbage) {
         for (glm::vec3& p : polygon)
             p = {(float) (random() % 5), (float) (random() % 5), (float) (random() % 2)};
         EXPECT_EQ(clip(polygon).size(), polygon.size() - 2);
+    }
+}
+
+/// The method without its short cuts: corners are looked at in turn, each against all others. Of
+/// polygons in the plane z = 0 that run counter-clockwise.
+class PlainClipper {
+public:
+    explicit PlainClipper(const Polygon& polygon) {
+        for (uint32_t i = 0; i < polygon.size(); ++i) corners_.push_back(i);
+        for (const glm::vec3& p : polygon) positions_.emplace_back(p.x, p.y);
+    }
+
+    Ears clip() {
+        Ears ears;
+        size_t at = 1, refused = 0;
+        for (int rule = 0; corners_.size() > 3;) {
+            if (!isEar(at, rule)) {
+                if (++refused == corners_.size()) ++rule, refused = 0;
+                at = (at + 1) % corners_.size();
+                continue;
+            }
+            ears.push_back({corner(at, -1), corner(at, 0), corner(at, 1)});
+            corners_.erase(corners_.begin() + (ptrdiff_t) at);
+            at %= corners_.size();
+            refused = 0;
+        }
+        ears.push_back({corner(at, -1), corner(at, 0), corner(at, 1)});
+        return ears;
+    }
+
+private:
+    uint32_t corner(size_t at, int step) const {
+        return corners_[(at + corners_.size() + (size_t) step) % corners_.size()];
+    }
+    double turnAt(size_t at) const {
+        return cross(positions_[corner(at, -1)], positions_[corner(at, 0)],
+                     positions_[corner(at, 1)]);
+    }
+    bool isEar(size_t at, int rule) const {
+        if (rule == 3) return true;
+        if (rule == 2) return turnAt(at) >= 0.0;
+        if (!(turnAt(at) > 0.0)) return false;
+        const glm::dvec2 a = positions_[corner(at, -1)], b = positions_[corner(at, 0)],
+                         c = positions_[corner(at, 1)];
+        for (size_t i = 0; i < corners_.size(); ++i) {
+            const glm::dvec2 p = positions_[corner(i, 0)];
+            if (turnAt(i) > 0.0 || p == a || p == b || p == c) continue;
+            const double least = std::min({cross(a, b, p), cross(b, c, p), cross(c, a, p)});
+            if (rule == 0 ? least >= 0.0 : least > 0.0) return false;
+        }
+        return true;
+    }
+
+    std::vector<uint32_t> corners_; ///< that are left
+    std::vector<glm::dvec2> positions_;
+};
+
+double area(const Polygon& polygon) {
+    double sum = 0.0;
+    for (size_t i = 1; i + 1 < polygon.size(); ++i)
+        sum += cross(polygon[0], polygon[i], polygon[i + 1]);
+    return sum;
+}
+
+TEST(EarClipping, IsThePlainMethod) {
+    std::mt19937 random(4);
+    for (int round = 0; round < test::cases(3000, 100000); ++round) {
+        const size_t count = 4 + random() % (round % 50 == 0 ? 300 : 40);
+        const unsigned range = 2 + random() % (round % 2 == 0 ? 5 : 500); // most cross themselves
+        Polygon polygon(count);
+        for (size_t i = 0; i < count; ++i) {
+            const double angle = 2.0 * std::numbers::pi * (double) i / (double) count;
+            const double radius = 10.0 + (double) (random() % range);
+            if (round % 3 == 0)
+                polygon[i] = {(float) (random() % range), (float) (random() % range), 0.0f};
+            else
+                polygon[i] = {std::round(radius * std::cos(angle)),
+                              std::round(radius * std::sin(angle)), 0.0};
+        }
+        if (area(polygon) < 0.0) std::reverse(polygon.begin(), polygon.end());
+        if (area(polygon) == 0.0) continue; // another projection
+        ASSERT_EQ(clip(polygon), PlainClipper(polygon).clip()) << "round " << round;
+    }
+}
+
+/// Of \p count corners, by \p corner(i), from 0 on.
+template <typename Corner>
+Polygon polygonOf(size_t count, const Corner& corner) {
+    Polygon polygon;
+    for (size_t i = 0; i < count; ++i) {
+        const glm::dvec2 p = corner((double) i / (double) count, i);
+        polygon.emplace_back(p.x, p.y, 0.0);
+    }
+    return polygon;
+}
+
+TEST(EarClipping, TakesPolygonsOfManyCorners) {
+    constexpr size_t kCorners = 100'000;
+    const auto onCircle = [](double turn, double radius) {
+        const double angle = 2.0 * std::numbers::pi * turn;
+        return glm::dvec2(radius * std::cos(angle), radius * std::sin(angle));
+    };
+    std::mt19937 random(5);
+    const std::pair<const char*, Polygon> polygons[] = {
+        {"convex", polygonOf(kCorners, [&](double part, size_t) { return onCircle(part, 1.0); })},
+        {"star",
+         polygonOf(kCorners,
+                   [&](double part, size_t i) { return onCircle(part, i % 2 == 0 ? 1.0 : 0.1); })},
+        {"ragged", polygonOf(kCorners,
+                             [&](double part, size_t) {
+                                 return onCircle(part, 10.0 + (double) (random() % 1000));
+                             })},
+        {"spiral", polygonOf(kCorners,
+                             [&](double part, size_t) {
+                                 const double way = 200.0 * (part < 0.5 ? part : 1.0 - part);
+                                 return onCircle(way, way + (part < 0.5 ? 0.5 : 0.0));
+                             })},
+        {"skyline", polygonOf(kCorners,
+                              [&](double, size_t i) {
+                                  const bool low = i == 0 || i + 1 == kCorners;
+                                  return glm::dvec2((double) i,
+                                                    low ? -5.0 : (double) (random() % 100));
+                              })},
+        {"garbage",
+         polygonOf(kCorners,
+                   [&](double, size_t) { return glm::dvec2(random() % 1000, random() % 1000); })},
+        {"round and round a square", polygonOf(kCorners, [](double, size_t i) {
+             return glm::dvec2(i % 4 == 1 || i % 4 == 2, i % 4 > 1);
+         })}};
+    for (const auto& [name, polygon] : polygons) {
+        SCOPED_TRACE(name);
+        Ears ears;
+        EXPECT_LT(test::processorTime([&] { ears = clip(polygon); }), test::kGenerous);
+        EXPECT_EQ(ears.size(), kCorners - 2);
     }
 }
 
