@@ -43,10 +43,23 @@ void CpuBackend::fillDepthMipmap() {
 
 void CpuBackend::fillPrimitives() {
     builder_.fillPrimitives(grid_);
+    makeLightGrid();
+    makeLeaves();
+}
+
+void CpuBackend::makeLightGrid() {
     if (light_)
         fillLightGrid(*geometry_, *light_, executor_, lightGrid_);
     else
         lightGrid_ = {};
+}
+
+/// Only now it is known where there are holes, through which repeated triangles may show.
+void CpuBackend::beginFrame(const Scene& scene, const RenderSettings& settings,
+                            const Requirements& requirements) {
+    HostBackend::beginFrame(scene, settings, requirements);
+    if (!requirements.cutOuts || !leaves_.leavesOutRepeated) return;
+    makeLightGrid();
     makeLeaves();
 }
 

@@ -20,6 +20,8 @@ public:
     std::string device() const override;
 
     void expectLight(const Spotlight* light) override;
+    void beginFrame(const Scene& scene, const RenderSettings& settings,
+                    const Requirements& requirements) override;
     void clear(const Camera& camera, const GridSettings& settings) override;
     void fillDepth() override;
     void fillDepthMipmap() override;
@@ -50,6 +52,7 @@ private:
     bool tracesByDefinition() const;
     /// The traced form of the lists.
     void makeLeaves();
+    void makeLightGrid();
 
     GridBuilder builder_;
     Grid grid_;

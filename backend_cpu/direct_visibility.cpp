@@ -3,6 +3,7 @@
 #include "backend_cpu/eye_tile.h"
 #include "backend_cpu/prefetch_texels.h"
 #include "core/grid/denormals.h"
+#include "core/grid/repeated.h"
 #include "core/path/surface.h"
 #include "core/trace/intersect.h"
 
@@ -86,6 +87,7 @@ public:
                 keepInImage(cull, std::span(triangles).subspan(begin, end - begin), kept);
             for (size_t i = 0; i < count; ++i) {
                 const size_t id = begin + kept[i];
+                if (isRepeated(frame.geometry, id)) continue;
                 const PixelRange range = footprint(triangles[id]);
                 if (range.x0 > range.x1 || range.y0 > range.y1) continue;
                 place(EyeTriangle(triangles[id], (uint32_t) id, range, bounds_), piece);

@@ -2,10 +2,12 @@
 
 #include "backend_cpu/leaf_boxes.h"
 #include "backend_cpu/without_area.h"
+#include "core/grid/repeated.h"
 #include "core/trace/ray.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <span>
 #include <utility>
 
@@ -212,10 +214,17 @@ void fillLeaves(const FrameGeometry& geometry, const Grid& grid, Executor& execu
     const int bins = grid.settings.bins;
     const size_t tiles = grid.firstTile.back(), count = geometry.triangles.size();
     leaves.unhittable.resize(count);
+    std::atomic<bool> anyRepeated = false;
     executor.forRange(count, kTrianglesPerPiece, [&](size_t begin, size_t end) {
         findWithoutArea({geometry.triangles.data() + begin, end - begin},
                         leaves.unhittable.data() + begin);
+        for (size_t i = begin; i < end; ++i) {
+            if (!isRepeated(geometry, i)) continue;
+            leaves.unhittable[i] = 1;
+            anyRepeated = true;
+        }
     });
+    leaves.leavesOutRepeated = anyRepeated;
 
     // Sizes first, so that every tree has its place whichever thread builds it.
     leaves.places.resize(tiles);

@@ -64,7 +64,8 @@ private:
 
 /// The id buffer as it is traced. Each tile's lists stand in blocks of 16 neighbouring triangles or
 /// some fewer, under a tree of nodes, whose boxes hold the triangles' parts in their cells; so a
-/// ray tests few triangles. Those without area, which no ray hits, are left out.
+/// ray tests few triangles. Those that no ray hits are left out: without area, or repeated (see
+/// isRepeated).
 struct Leaves {
     /// Sizes of one tile's tree, and where it lies.
     struct TreeSize {
@@ -77,7 +78,9 @@ struct Leaves {
 
     // Kept from frame to frame, while they are filled.
     std::vector<TreeSize> places;    ///< of the tiles' trees
-    std::vector<uint8_t> unhittable; ///< per triangle: without area
+    std::vector<uint8_t> unhittable; ///< per triangle: without area, or repeated
+
+    bool leavesOutRepeated = false; ///< some are, which is right for the geometry's holes alone
 
     uint64_t bytes() const;
 };

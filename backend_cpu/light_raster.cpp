@@ -1,5 +1,7 @@
 #include "backend_cpu/light_raster.h"
 
+#include "core/grid/repeated.h"
+
 #include <cfloat>
 
 #include <glm/geometric.hpp>
@@ -56,6 +58,7 @@ void ScanFromLight(const FrameGeometry& geometry, LightGrid& grid, size_t begin,
             const uint32_t lane = (uint32_t) hwy::Num0BitsBelowLS1Bit_Nonzero32(rest);
             const uint32_t id = (uint32_t) first + lane;
             const Triangle& triangle = geometry.triangles[id];
+            if (isRepeated(geometry, id)) continue;
             const size_t before = piece.fragments.size();
             auto emit = [&](uint32_t tile, float near, uint32_t box) {
                 piece.fragments.push_back({tile, id, near, box});

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace dirt {
 
@@ -27,6 +28,15 @@ public:
     const std::vector<View>& views() const { return views_; }
     double rimX() const { return views_.front().s.back(); }
     double rimY() const { return views_.front().t.back(); }
+
+    /// Whether a triangle lies where the one before it lies. Thousands may.
+    bool repeats(size_t triangle) const {
+        if (triangle == 0) return false;
+        const Corners &own = mesh_.triangles[triangle], &before = mesh_.triangles[triangle - 1];
+        for (int i = 0; i < 3; ++i)
+            if (mesh_.positions[own[i]] != mesh_.positions[before[i]]) return false;
+        return true;
+    }
 
     /// Calls \p use(view, polygon) for what each view sees of a triangle.
     template <typename Use>
@@ -73,27 +83,39 @@ Footprint::Footprint(const Mesh& mesh, const Camera& camera, const GridSettings&
         maps[kLevels - 1].emplace_back(across(width_), across(height_), rimX_, rimY_);
     executor.forRange(mesh.triangles.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
-            eye.look(i, [&](size_t view, const SeenPolygon& polygon) {
-                maps[kLevels - 1][view].include(polygon);
-            });
+            if (i == begin || !eye.repeats(i))
+                eye.look(i, [&](size_t view, const SeenPolygon& polygon) {
+                    maps[kLevels - 1][view].include(polygon);
+                });
     });
     for (int level = kLevels - 2; level >= 0; --level)
         for (size_t v = 0; v < views; ++v) maps[level].push_back(maps[level + 1][v].coarser());
 
     // A sum for each piece, and the pieces in their order: the same bits for any thread count.
     std::vector<Sums> pieces((measured + kGrain - 1) / kGrain);
+    const auto measure = [&](size_t triangle, Sums& sum) {
+        eye.look(triangle, [&](size_t view, const SeenPolygon& polygon) {
+            const glm::dvec3 extent = polygon.high() - polygon.low();
+            sum.polygons += 1.0;
+            sum.area += polygon.area(0, 1);
+            sum.extentX += extent.x;
+            sum.extentY += extent.y;
+            for (int level = 0; level < kLevels; ++level)
+                sum.depth[level].add(polygon, maps[level][view]);
+        });
+    };
     executor.forRange(measured, kGrain, [&](size_t begin, size_t end) {
         Sums& sum = pieces[begin / kGrain];
-        for (size_t i = begin; i < end; ++i)
-            eye.look(i * stride, [&](size_t view, const SeenPolygon& polygon) {
-                const glm::dvec3 extent = polygon.high() - polygon.low();
-                sum.polygons += 1.0;
-                sum.area += polygon.area(0, 1);
-                sum.extentX += extent.x;
-                sum.extentY += extent.y;
-                for (int level = 0; level < kLevels; ++level)
-                    sum.depth[level].add(polygon, maps[level][view]);
-            });
+        std::optional<Sums> repeated; // of the triangles at hand, which all lie in one place
+        for (size_t i = begin; i < end; ++i) {
+            if (stride > 1 || !eye.repeats(i)) {
+                repeated.reset();
+                measure(i * stride, sum);
+                continue;
+            }
+            if (!repeated) measure(i, repeated.emplace());
+            sum.add(*repeated, 1.0);
+        }
     });
     for (const Sums& piece : pieces) sums_.add(piece, (double) stride);
 }

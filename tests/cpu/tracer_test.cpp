@@ -4,6 +4,7 @@
 #include "backend_cpu/tracer.h"
 
 #include "backend_cpu/thread_pool.h"
+#include "core/grid/repeated.h"
 #include "core/io/load.h"
 #include "core/verify/ray_kinds.h"
 #include "tests/io/test_scenes.h"
@@ -311,10 +312,11 @@ TEST(Leaves, HoldEachListWithoutWhatHasNoArea) {
         std::ranges::sort(laidOut);
         std::ranges::sort(listed);
         EXPECT_TRUE(std::ranges::includes(listed, laidOut));
-        // Those on a line are few, and no ray hits them.
+        // Those on a line are few, and no ray hits them; nor those that repeat the one before.
         std::vector<uint32_t> missing;
         std::ranges::set_difference(listed, laidOut, std::back_inserter(missing));
         for (const uint32_t id : missing) {
+            if (isRepeated(geometry, id)) continue;
             const Triangle& t = geometry.triangles[id];
             const glm::dvec3 ab = glm::dvec3(t.b) - glm::dvec3(t.a);
             const glm::dvec3 ac = glm::dvec3(t.c) - glm::dvec3(t.a);
