@@ -124,7 +124,7 @@ void noteMissing(const std::vector<std::string>& asked, const std::vector<Dumped
 
 /// Throws InputError where the buffers, their copy and the largest file, twice while it is being
 /// written, would not fit into memory.
-void checkDumpMemory(const Input& input) {
+void checkDumpMemory(const Input& input, uint64_t available) {
     Requirements need = requirementsOf(input.scene, input.settings, false);
     need.previousPoint = true;
     uint64_t buffers = 0;
@@ -132,12 +132,11 @@ void checkDumpMemory(const Input& input) {
     const GridSettings& grid = input.settings.grid;
     const uint64_t shading = 3 * surfacePointChannels().size() * sizeof(uint32_t) *
                              (uint64_t) grid.width * (uint64_t) grid.height;
-    const uint64_t needed = 2 * buffers + 2 * shading, available = availableMemory();
+    const uint64_t needed = 2 * buffers + 2 * shading;
     if (needed > available)
         throw InputError("a dump of " + std::to_string(grid.width) + "x" +
-                         std::to_string(grid.height) + " pixels needs " +
-                         std::to_string(needed / 1'000'000) + " MB of memory; there are " +
-                         std::to_string(available / 1'000'000) + " MB");
+                         std::to_string(grid.height) + " pixels needs " + memoryText(needed) +
+                         " of memory; a scene may take " + memoryText(available) + " (--memory)");
 }
 
 Json vectorJson(glm::vec3 v) {
@@ -246,7 +245,7 @@ int runDump(const DumpOptions& options) {
         throw InputError("--event " + std::to_string(*options.event) + ": the path events of " +
                          std::to_string(input.settings.bounces) + " bounces are 0 to " +
                          std::to_string(input.settings.bounces - 1));
-    checkDumpMemory(input);
+    checkDumpMemory(input, sceneMemory(options.common));
     const auto backend = makeBackend(options.common, *executor);
     checkFolder(options.folder, wanted, input.settings.bounces);
     makeFolder(options.folder);

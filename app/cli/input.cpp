@@ -1,5 +1,6 @@
 #include "app/cli/input.h"
 
+#include "app/cli/memory_limit.h"
 #include "app/cli/model_camera.h"
 #include "app/cli/option_scope.h"
 #include "app/cli/progress_bar.h"
@@ -72,13 +73,14 @@ void noteIdleOptions(const CommonOptions& options, const Scene& scene) {
         std::fprintf(stderr, "dirt: warning: --visibility: the scene has no light\n");
 }
 
-LoadedScene load(const CommonOptions& options, Executor& executor) {
+LoadedScene load(const CommonOptions& options, const MemoryBudget& memory, Executor& executor) {
     ProgressBar bar(options.quiet, "files read");
     LoadOptions load;
     load.strict = options.strict;
     load.cache = !options.noCache;
     load.materials = options.materials;
     load.executor = &executor;
+    load.memory = memory;
     load.progress = [&bar](size_t done, size_t total) {
         bar.show((int64_t) done, (int64_t) total);
     };
@@ -108,13 +110,29 @@ Standpoint standpointOf(const LoadedScene& loaded, const CommonOptions& options,
 
 /// Tile and bins by the cost model, whose constants are the CPU's, where nothing else says them.
 void chooseStructure(Input& input, const CommonOptions& options, const SceneSettings& file,
-                     Executor& executor) {
+                     const Footprint& footprint) {
     if (options.backend != BackendKind::cpu) return;
     input.tileChosen = !options.tile && !file.tile;
     input.binsChosen = !options.bins && !file.bins;
     if (!input.tileChosen && !input.binsChosen) return;
-    const Footprint footprint(input.scene.mesh, input.scene.camera, input.settings.grid, executor);
     input.settings.grid = chooseGrid(footprint, input.settings, input.tileChosen, input.binsChosen);
+}
+
+bool usesCpu(const CommonOptions& options) {
+    const auto& all = options.backends;
+    return options.backend == BackendKind::cpu ||
+           std::find(all.begin(), all.end(), BackendKind::cpu) != all.end();
+}
+
+/// Chooses the structure and makes sure that there is memory for a frame with it.
+void planStructure(Input& input, const CommonOptions& options, const SceneSettings& file,
+                   const MemoryBudget& memory, Executor& executor) {
+    std::optional<Footprint> footprint;
+    if (usesCpu(options)) {
+        footprint.emplace(input.scene.mesh, input.scene.camera, input.settings.grid, executor);
+        chooseStructure(input, options, file, *footprint);
+    }
+    checkFrameMemory(input.scene, input.settings, footprint, options, memory);
 }
 
 } // namespace
@@ -155,7 +173,8 @@ std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& exe
 Input openInput(const CommonOptions& options, Executor& executor) {
     checkCameraOptions(options);
     refuseIdleOptions(options);
-    LoadedScene loaded = load(options, executor);
+    const MemoryBudget memory(sceneMemory(options));
+    LoadedScene loaded = load(options, memory, executor);
     if (!options.quiet) print(loaded);
 
     Input input;
@@ -181,7 +200,7 @@ Input openInput(const CommonOptions& options, Executor& executor) {
     input.modelCamera = loaded.modelCamera;
     moveInput(input, options, options.frame.value_or(0), executor);
     checkPrecision(input, options, executor);
-    chooseStructure(input, options, loaded.settings, executor);
+    planStructure(input, options, loaded.settings, memory, executor);
     return input;
 }
 

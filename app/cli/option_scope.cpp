@@ -66,6 +66,7 @@ constexpr Scope kScopes[] = {
     {"--fov", kAll, kAny},
     {"--frame", kAll & ~kScaling, kAny}, // its scene does not move
     {"--threads", kAll, kAny},
+    {"--memory", kAll, kAny},
     {"--quiet", kAll, kAny},
     {"--no-cache", kAll, kAny},
     {"--strict", kAll, kAny},

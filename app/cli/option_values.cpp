@@ -2,7 +2,9 @@
 
 #include "core/io/number.h"
 
+#include <cctype>
 #include <charconv>
+#include <cmath>
 #include <string_view>
 
 namespace dirt {
@@ -137,6 +139,26 @@ CLI::Option* addRange(CLI::App& command, const std::string& name, int high, cons
             !parse(all.substr(colon + 1), last) || first < 0 || last < first || last > high)
             refuse(name, text, expected);
         set(first, last);
+    });
+}
+
+CLI::Option* addBytes(CLI::App& command, const std::string& name, const std::string& help,
+                      std::function<void(uint64_t)> set) {
+    return addText(command, name, "SIZE", help, [=](const std::string& text) {
+        constexpr std::string_view kUnits = "KMGT";
+        std::string_view number = text;
+        if (number.ends_with('B') || number.ends_with('b')) number.remove_suffix(1);
+        double unit = 1.0;
+        const size_t place =
+            number.empty() ? kUnits.npos : kUnits.find((char) std::toupper(number.back()));
+        if (place != kUnits.npos) {
+            unit = std::pow(1000.0, (double) (place + 1));
+            number.remove_suffix(1);
+        }
+        double value = 0.0;
+        if (!parse(number, value) || !(value * unit >= 1e6 && value * unit <= 1e18))
+            refuse(name, text, "a size of at least 1M, as in 12G or 800M");
+        set((uint64_t) (value * unit));
     });
 }
 

@@ -47,4 +47,8 @@ CLI::Option* addSize(CLI::App& command, const std::string& name, int high, const
 CLI::Option* addRange(CLI::App& command, const std::string& name, int high, const std::string& help,
                       std::function<void(int first, int last)> set);
 
+/// Text of a number of bytes: 12G, 1.5GB, 800M; of powers of 1000. At least a megabyte.
+CLI::Option* addBytes(CLI::App& command, const std::string& name, const std::string& help,
+                      std::function<void(uint64_t)> set);
+
 } // namespace dirt

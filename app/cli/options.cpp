@@ -96,6 +96,10 @@ void addSettingsOptions(CLI::App& command, CommonOptions& o) {
     addStructureOptions(command, o);
     addInteger(command, "--threads", 1, 1024, "worker threads (default: all cores)",
                [&o](int64_t n) { o.threads = (unsigned) n; });
+    addBytes(
+        command, "--memory",
+        "memory that a scene may take: its files, and a frame (default: half of what there is)",
+        [&o](uint64_t bytes) { o.memory = bytes; });
     command.add_flag("--quiet", o.quiet, "print nothing but errors on standard error");
     command.add_flag("--no-cache", o.noCache,
                      "neither read nor leave caches of models (NAME.sbin)");
@@ -130,7 +134,7 @@ RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& o) {
     settings.rayType = o.rayType.value_or(settings.rayType);
     if (settings.rayType == RayType::visibility) settings.bounces = 2;
     settings.seed = o.seed.value_or(settings.seed);
-    checkMemory(grid, availableMemory());
+    checkMemory(grid, sceneMemory(o));
     return settings;
 }
 

@@ -28,7 +28,7 @@ struct CommonOptions {
     std::string scene; ///< a .scene file or a bare .obj, .gltf or .glb
     BackendKind backend = BackendKind::cpu;
     std::vector<BackendKind> backends; ///< of a command that uses several; else empty
-    int device = -1; ///< of OpenGL; -1: the first that works
+    int device = -1;                   ///< of OpenGL; -1: the first that works
 
     std::optional<ViewMode> view;
     std::optional<ImageSize> size;
@@ -57,6 +57,8 @@ struct CommonOptions {
     /// What all MTL files are taken for.
     std::optional<MaterialConvention> materials;
 
+    std::optional<uint64_t> memory; ///< bytes that a scene may take
+
     unsigned threads = 0; ///< 0: all cores
     bool quiet = false;   ///< nothing on standard error but errors
     bool noCache = false; ///< neither read nor leave caches of models
@@ -74,7 +76,8 @@ void addCommonOptions(CLI::App& command, CommonOptions& options);
 void addSettingsOptions(CLI::App& command, CommonOptions& options);
 
 /// \p settings (the scene file's over the defaults) with the options that were given on top.
-/// Throws InputError where the result would need more memory than the machine has.
+/// Throws InputError where the image, or the structure without its lists, would need more memory
+/// than sceneMemory.
 RenderSettings mergeSettings(RenderSettings settings, const CommonOptions& options);
 
 /// Throws InputError where --eye and --target are the same point, or --up is zero.

@@ -11,6 +11,11 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// More memory than there may be: a bad input that no stand-in replaces.
+struct MemoryError : InputError {
+    using InputError::InputError;
+};
+
 /// A capability this build or machine lacks (Embree, GL). Exit status 3.
 struct CapabilityError : std::runtime_error {
     using std::runtime_error::runtime_error;

@@ -1,8 +1,10 @@
 #include "core/io/find_file.h"
 
 #include "core/io/input_files.h"
+#include "core/io/opened_file.h"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 #include <system_error>
 
@@ -18,16 +20,29 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
+std::atomic<FolderListings*> listing{nullptr};
+
+/// Calls \p visit(name, name in lower case) for all that is in \p folder.
+template <typename Visit>
+void forEntries(const fs::path& folder, const Visit& visit) {
+    std::error_code error;
+    fs::directory_iterator entry(folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        visit(name, lowerCase(name));
+    }
+}
+
 /// The entry of \p folder that equals \p part but for case.
 std::optional<fs::path> findEntry(const fs::path& folder, const fs::path& part) {
     const std::string wanted = lowerCase(part.string());
     std::optional<std::string> best;
-    std::error_code error;
-    fs::directory_iterator entry(folder, error);
-    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-        std::string found = entry->path().filename().string();
-        if (lowerCase(found) == wanted && (!best || found < *best)) best = std::move(found);
-    }
+    if (FolderListings* listings = listing)
+        best = listings->find(folder, wanted);
+    else
+        forEntries(folder, [&](const std::string& name, const std::string& lower) {
+            if (lower == wanted && (!best || name < *best)) best = name;
+        });
     if (!best) return std::nullopt;
     return folder / *best;
 }
@@ -39,6 +54,26 @@ fs::path pathOf(std::string_view name) {
 }
 
 } // namespace
+
+FolderListings::FolderListings() : outer_(listing.exchange(this)) {}
+
+FolderListings::~FolderListings() {
+    listing = outer_;
+}
+
+std::optional<std::string> FolderListings::find(const fs::path& folder,
+                                                const std::string& lowerCase) {
+    const std::lock_guard lock(mutex_);
+    const auto [known, isNew] = listings_.try_emplace(folder.string());
+    Listing& names = known->second;
+    if (isNew)
+        forEntries(folder, [&](const std::string& name, const std::string& lower) {
+            std::string& first = names[lower];
+            if (first.empty() || name < first) first = name;
+        });
+    const auto found = names.find(lowerCase);
+    return found == names.end() ? std::nullopt : std::optional(found->second);
+}
 
 void noteNamedFile(const fs::path& folder, std::string_view name) {
     noteInput(folder / pathOf(name));
@@ -61,6 +96,7 @@ std::optional<fs::path> findFile(const fs::path& folder, std::string_view name) 
         if (!entry) return std::nullopt;
         path = *entry;
     }
+    refuseSpecialFile(path);
     if (!fs::is_regular_file(path, error)) return std::nullopt;
     return path.lexically_normal();
 }

@@ -8,17 +8,22 @@
 namespace dirt {
 
 GltfFile readGltf(const std::filesystem::path& file, LoadReport& report) {
-    const GltfData data(file);
+    MemoryClaim unlimited;
+    return readGltf(file, report, unlimited);
+}
+
+GltfFile readGltf(const std::filesystem::path& file, LoadReport& report, MemoryClaim& memory) {
+    const GltfData data(file, memory.budget());
     GltfIgnored ignored;
     countUnknownMembers(data.document(), ignored);
     GltfFile gltf;
     gltf.file = file;
-    gltf.images = gltfImages(data);
+    gltf.images = gltfImages(data, memory);
     gltf.surfaces = gltfSurfaces(data, gltf.images.size(), ignored);
     FaultCounter faults;
     for (const JsonValue& mesh : data.root().objects("meshes"))
-        gltf.meshes.push_back(gltfPrimitives(data, mesh, gltf.surfaces, ignored, faults));
-    placeGltfNodes(data, gltf, ignored);
+        gltf.meshes.push_back(gltfPrimitives(data, mesh, gltf.surfaces, ignored, faults, memory));
+    placeGltfNodes(data, gltf, ignored, memory);
     report.warn(file, faults.faults());
     ignored.reportTo(report);
     return gltf;

@@ -29,8 +29,8 @@ struct GltfFile {
 
     /// An image, which is not loaded yet.
     struct Image {
-        std::string label;                ///< its URI, or its place where it is embedded
-        std::optional<std::string> bytes; ///< of an embedded image file
+        std::string label;                        ///< its URI, or its place where it is embedded
+        std::shared_ptr<const std::string> bytes; ///< of an embedded image file; images share them
 
         /// As what \p gltf names.
         TextureLoader::Source source(const std::filesystem::path& gltf) const;
@@ -85,5 +85,8 @@ struct GltfFile {
 /// tinygltf is not used here: it takes values of the wrong kind for absent ones, checks no ranges,
 /// reads up to eight bytes beyond a .glb whose chunk is too long, and decodes images by itself.
 GltfFile readGltf(const std::filesystem::path& file, LoadReport& report);
+
+/// The same; \p memory takes what the result needs, and meanwhile what is needed to read it.
+GltfFile readGltf(const std::filesystem::path& file, LoadReport& report, MemoryClaim& memory);
 
 } // namespace dirt

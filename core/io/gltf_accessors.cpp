@@ -13,9 +13,9 @@ namespace {
 
 /// Whole numbers in a file are at most what a double holds exactly.
 constexpr uint64_t kHighest = uint64_t(1) << 53;
-/// Elements of an accessor without data of its own, which are zero: a small file must not cost all
-/// memory.
-constexpr uint64_t kMostZeros = uint64_t(1) << 18;
+/// Elements without data of their own, which are zero, that any file may have, besides one for each
+/// of its bytes: a small file must not cost all memory.
+constexpr uint64_t kFreeZeros = 4096;
 
 constexpr uint64_t kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123,
                    kUnsignedInt = 5125, kFloat = 5126;
@@ -88,6 +88,8 @@ GltfData::Elements GltfData::elements(const JsonValue& accessor, size_t componen
         accessor.fail("is not of the type " + std::string(type));
     const uint64_t count = accessor.requiredInteger("count", std::numeric_limits<uint32_t>::max());
 
+    const uint64_t perElement = elementBytes + 2 * sizeof(float) * components;
+    elements.memory = MemoryClaim(memory_.budget());
     if (const auto index = accessor.integer("bufferView", kHighest)) {
         const auto bytes = view(*index, accessor);
         const uint64_t offset = accessor.integer("byteOffset", kHighest).value_or(0);
@@ -97,6 +99,7 @@ GltfData::Elements GltfData::elements(const JsonValue& accessor, size_t componen
         if (count > 0 && (offset > bytes.size() || elementBytes > bytes.size() - offset ||
                           (bytes.size() - offset - elementBytes) / stride < count - 1))
             accessor.fail("reaches beyond its bufferView");
+        elements.memory.take(count * perElement, file_, accessor.place());
         elements.bytes.resize(count * elementBytes);
         for (uint64_t i = 0; i < count; ++i)
             std::memcpy(elements.bytes.data() + i * elementBytes,
@@ -105,13 +108,23 @@ GltfData::Elements GltfData::elements(const JsonValue& accessor, size_t componen
         if (const auto extension = unknownExtension(accessor))
             accessor.fail("has its data in the extension " + inQuotes(*extension) + ", " +
                           whyUnknown(*extension));
-        if (count > kMostZeros)
-            accessor.fail("has no data and " + std::to_string(count) +
-                          " elements, which is absurd");
+        claimZeros(accessor, count);
+        elements.memory.take(count * perElement, file_, accessor.place());
         elements.bytes.resize(count * elementBytes);
     }
     overwriteSparse(accessor, count, elementBytes, elements.bytes);
     return elements;
+}
+
+/// However often an accessor is read, each time makes them anew.
+void GltfData::claimZeros(const JsonValue& accessor, uint64_t count) const {
+    uint64_t bytes = bytes_.size();
+    for (const std::string& loaded : loaded_) bytes += loaded.size();
+    zeros_ += count;
+    if (zeros_ > kFreeZeros + bytes)
+        accessor.fail("has no data and " + std::to_string(count) +
+                      " elements, which is absurd in a file of " + std::to_string(bytes) +
+                      " bytes (" + std::to_string(zeros_) + " with those before)");
 }
 
 void GltfData::overwriteSparse(const JsonValue& accessor, uint64_t count, size_t elementBytes,

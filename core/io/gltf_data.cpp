@@ -24,13 +24,15 @@ Value valueAt(std::span<const std::byte> bytes, size_t index) {
 
 } // namespace
 
-GltfData::GltfData(const std::filesystem::path& file) : file_(file), bytes_(readBytes(file)) {
+GltfData::GltfData(const std::filesystem::path& file, const MemoryBudget& budget)
+    : file_(file), memory_(budget), bytes_(readBytes(file, memory_)) {
     const auto bytes = std::as_bytes(std::span(bytes_));
     const bool binary = bytes_.starts_with("glTF");
     if (binary)
         readBinary(bytes);
     else
         json_ = bytes_;
+    memory_.take(jsonBytes(json_), file_, "its JSON");
     document_ = parseJson(file_, json_, !binary);
     root_ = std::make_unique<JsonValue>(file_, document_);
     const std::string version = root_->required("asset").text("version").value_or("");
@@ -85,9 +87,10 @@ void GltfData::readBuffers() {
         const uint64_t length = buffer.source.requiredInteger("byteLength", kHighest);
         std::span<const std::byte> bytes = binary_;
         if (const auto uri = buffer.source.text("uri")) {
+            if (uri->starts_with("data:")) memory_.take(uri->size(), file_, buffer.source.place());
             auto data = decodeDataUri(*uri, buffer.source);
             const auto path = data ? std::nullopt : findFile(file_.parent_path(), decodeUri(*uri));
-            if (path) data = readBytes(*path);
+            if (path) data = readBytes(*path, memory_);
             if (!data) buffer.problem = "is in a file that is not there: " + inQuotes(*uri);
             loaded_[i] = std::move(data).value_or("");
             bytes = std::as_bytes(std::span(loaded_[i]));
@@ -106,7 +109,7 @@ void GltfData::unpackViews() {
     for (size_t i = 0; i < views_.size(); ++i)
         if (const auto extensions = views_[i].object("extensions"))
             if (const auto source = extensions->object("EXT_meshopt_compression"))
-                unpacked_[i] = decodeMeshopt(*source, range(*source));
+                unpacked_[i] = decodeMeshopt(*source, range(*source), memory_);
 }
 
 /// What a value with a buffer, an offset and a length refers to.

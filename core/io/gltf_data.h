@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/json_value.h"
+#include "core/io/memory_budget.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -21,10 +22,14 @@ public:
     /// compressed. Throws InputError where it is not well-formed, not of version 2, or requires an
     /// extension that is not known here. A buffer may be missing or too short as long as nothing
     /// refers to it.
-    explicit GltfData(const std::filesystem::path& file);
+    /// \p budget: for what is needed as long as this lives, and for elements while they are made.
+    explicit GltfData(const std::filesystem::path& file, const MemoryBudget& budget = {});
     GltfData(const GltfData&) = delete; // values refer to the document
     GltfData& operator=(const GltfData&) = delete;
 
+    const std::filesystem::path& file() const { return file_; }
+    /// Takes what is needed as long as this lives.
+    MemoryClaim& memory() const { return memory_; }
     const JsonValue& root() const { return *root_; }
     const nlohmann::json& document() const { return document_; }
 
@@ -49,6 +54,7 @@ private:
         uint64_t componentType;
         bool normalized;
         std::vector<std::byte> bytes; ///< one after the other, without gaps
+        MemoryClaim memory;           ///< for these, and for the values that become of them
     };
 
     /// A buffer, or why there is none, which matters where something refers to it.
@@ -67,8 +73,12 @@ private:
                          std::vector<std::byte>& bytes) const;
     Elements elements(const JsonValue& accessor, size_t components) const;
 
+    void claimZeros(const JsonValue& accessor, uint64_t count) const;
+
     std::filesystem::path file_;
-    std::string bytes_; ///< of the file
+    mutable MemoryClaim memory_;
+    mutable uint64_t zeros_ = 0; ///< elements without data so far
+    std::string bytes_;          ///< of the file
     std::string_view json_;
     std::span<const std::byte> binary_; ///< the chunk of a .glb
     nlohmann::json document_;

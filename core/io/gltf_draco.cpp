@@ -52,6 +52,11 @@ std::optional<DracoMesh> readDraco(const GltfData& data, const JsonValue& primit
     if (!source) return std::nullopt;
     const auto mesh =
         decode(data.view(source->requiredInteger("bufferView", kHighest), *source), *source);
+    uint64_t bytes = 3 * sizeof(uint32_t) * uint64_t(mesh->num_faces());
+    for (int i = 0; i < mesh->num_attributes(); ++i)
+        bytes += sizeof(float) * uint64_t(mesh->num_points()) *
+                 (uint64_t) mesh->attribute(i)->num_components();
+    data.memory().take(bytes, data.file(), primitive.place());
     DracoMesh result;
     for (uint32_t i = 0; i < mesh->num_faces(); ++i)
         for (const auto& corner : mesh->face(draco::FaceIndex(i)))

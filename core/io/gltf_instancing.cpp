@@ -37,7 +37,10 @@ std::optional<std::vector<glm::dmat4>> gltfInstances(const GltfData& data, const
     for (const size_t n : counts)
         if (n != 0 && n != count) attributes.fail("have not all as many elements");
 
+    // These, and what they become.
+    data.memory().take(count * 2 * sizeof(glm::dmat4), data.file(), attributes.place());
     std::vector<glm::dmat4> instances;
+    instances.reserve(count);
     for (size_t i = 0; i < count; ++i) {
         glm::dvec3 translation(0.0), scale(1.0);
         glm::dquat rotation(1.0, 0.0, 0.0, 0.0);

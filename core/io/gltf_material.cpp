@@ -145,8 +145,9 @@ private:
 
 } // namespace
 
-std::vector<GltfFile::Image> gltfImages(const GltfData& data) {
+std::vector<GltfFile::Image> gltfImages(const GltfData& data, MemoryClaim& memory) {
     std::vector<GltfFile::Image> images;
+    std::map<uint64_t, std::shared_ptr<const std::string>> ofViews;
     for (const JsonValue& source : data.root().objects("images")) {
         GltfFile::Image& image = images.emplace_back();
         image.label = "images[" + std::to_string(images.size() - 1) + "]";
@@ -155,9 +156,15 @@ std::vector<GltfFile::Image> gltfImages(const GltfData& data) {
         if (uri.has_value() == view.has_value()) source.fail("has not one of uri and bufferView");
         if (view) {
             const auto bytes = data.view(*view, source);
-            image.bytes.emplace((const char*) bytes.data(), bytes.size());
-        } else if (auto bytes = decodeDataUri(*uri, source)) {
-            image.bytes = std::move(*bytes);
+            auto& shared = ofViews[*view];
+            if (!shared) {
+                memory.take(bytes.size(), data.file(), image.label);
+                shared = std::make_shared<std::string>((const char*) bytes.data(), bytes.size());
+            }
+            image.bytes = shared;
+        } else if (uri->starts_with("data:")) {
+            memory.take(uri->size(), data.file(), image.label);
+            image.bytes = std::make_shared<std::string>(*decodeDataUri(*uri, source));
         } else {
             image.label = decodeUri(*uri);
         }
@@ -175,7 +182,7 @@ std::vector<GltfFile::Surface> gltfSurfaces(const GltfData& data, size_t images,
 }
 
 TextureLoader::Source GltfFile::Image::source(const std::filesystem::path& gltf) const {
-    if (bytes) return {ImageFile(gltf / label, *bytes), label, gltf};
+    if (bytes) return {ImageFile(gltf / label, bytes), label, gltf};
     const auto file = findFile(gltf.parent_path(), label);
     return {file ? std::optional<ImageFile>(*file) : std::nullopt, label, gltf};
 }

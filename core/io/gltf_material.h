@@ -5,8 +5,8 @@
 
 namespace dirt {
 
-/// The file's images and materials, each in their order.
-std::vector<GltfFile::Image> gltfImages(const GltfData& data);
+/// The file's images and materials, each in their order. \p memory takes what the images need.
+std::vector<GltfFile::Image> gltfImages(const GltfData& data, MemoryClaim& memory);
 std::vector<GltfFile::Surface> gltfSurfaces(const GltfData& data, size_t images,
                                             GltfIgnored& ignored);
 

@@ -147,11 +147,23 @@ private:
     std::optional<DracoMesh> draco_;
 };
 
+uint64_t bytesOf(const GltfFile::Primitive& primitive) {
+    uint64_t sum = sizeof primitive;
+    const auto add = [&sum](const auto& array) { sum += array.capacity() * sizeof array[0]; };
+    add(primitive.positions);
+    add(primitive.normals);
+    add(primitive.texcoords);
+    add(primitive.colors);
+    add(primitive.triangles);
+    return sum;
+}
+
 } // namespace
 
 std::vector<GltfFile::Primitive> gltfPrimitives(const GltfData& data, const JsonValue& mesh,
                                                 std::span<const GltfFile::Surface> surfaces,
-                                                GltfIgnored& ignored, FaultCounter& faults) {
+                                                GltfIgnored& ignored, FaultCounter& faults,
+                                                MemoryClaim& memory) {
     std::vector<GltfFile::Primitive> list;
     for (const JsonValue& source : mesh.objects("primitives")) {
         const uint64_t mode =
@@ -161,6 +173,7 @@ std::vector<GltfFile::Primitive> gltfPrimitives(const GltfData& data, const Json
             continue;
         }
         list.push_back(PrimitiveReader(data, source, surfaces, ignored).read(mode));
+        memory.take(bytesOf(list.back()), data.file(), source.place());
         checkVertices(list.back(), source, faults);
     }
     return list;

@@ -42,7 +42,8 @@ void check(const JsonValue& source, const std::string& mode, const std::string& 
 
 } // namespace
 
-std::string decodeMeshopt(const JsonValue& source, std::span<const std::byte> bytes) {
+std::string decodeMeshopt(const JsonValue& source, std::span<const std::byte> bytes,
+                          MemoryClaim& memory) {
     const std::string mode = source.text("mode").value_or("");
     const std::string filter = source.text("filter").value_or("NONE");
     const uint64_t count = source.requiredInteger("count", kHighest);
@@ -50,6 +51,7 @@ std::string decodeMeshopt(const JsonValue& source, std::span<const std::byte> by
     check(source, mode, filter, count, stride);
     if (count * stride / kMostFromOneByte > bytes.size())
         source.fail("claims more than its bytes can hold");
+    memory.take(count * stride, source.file(), source.place());
     std::string out(count * stride, '\0');
     if (decode(mode, count, stride, bytes, out) != 0)
         source.fail("holds no meshopt data that can be read");
@@ -66,7 +68,7 @@ std::string decodeMeshopt(const JsonValue& source, std::span<const std::byte> by
 
 namespace dirt {
 
-std::string decodeMeshopt(const JsonValue& source, std::span<const std::byte>) {
+std::string decodeMeshopt(const JsonValue& source, std::span<const std::byte>, MemoryClaim&) {
     source.fail("cannot be read: this program was built without meshoptimizer");
 }
 

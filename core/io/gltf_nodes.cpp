@@ -15,9 +15,10 @@ constexpr uint64_t kMostTriangles = uint64_t(1) << 28;
 
 class NodeWalk {
 public:
-    NodeWalk(const GltfData& data, GltfFile& gltf, GltfIgnored& ignored)
-        : data_(data), gltf_(gltf), ignored_(ignored), nodes_(data.root().objects("nodes")),
-          cameras_(gltfCameras(data)), lights_(data, ignored) {}
+    NodeWalk(const GltfData& data, GltfFile& gltf, GltfIgnored& ignored, MemoryClaim& memory)
+        : data_(data), gltf_(gltf), ignored_(ignored), memory_(memory),
+          nodes_(data.root().objects("nodes")), cameras_(gltfCameras(data)),
+          lights_(data, ignored) {}
 
     void walk() {
         const auto roots = rootsOf();
@@ -109,12 +110,14 @@ private:
         if (triangles_ > kMostTriangles)
             node.fail("makes the file one of more than " + std::to_string(kMostTriangles) +
                       " triangles, which is absurd");
+        memory_.take(2 * sizeof(GltfFile::Instance), gltf_.file, "the list of instances");
         gltf_.instances.push_back({(uint32_t) mesh, toFile});
     }
 
     const GltfData& data_;
     GltfFile& gltf_;
     GltfIgnored& ignored_;
+    MemoryClaim& memory_;
     std::vector<JsonValue> nodes_;
     std::vector<GltfCamera> cameras_;
     GltfLights lights_;
@@ -123,8 +126,9 @@ private:
 
 } // namespace
 
-void placeGltfNodes(const GltfData& data, GltfFile& gltf, GltfIgnored& ignored) {
-    NodeWalk(data, gltf, ignored).walk();
+void placeGltfNodes(const GltfData& data, GltfFile& gltf, GltfIgnored& ignored,
+                    MemoryClaim& memory) {
+    NodeWalk(data, gltf, ignored, memory).walk();
 }
 
 } // namespace dirt

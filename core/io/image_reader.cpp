@@ -89,18 +89,19 @@ private:
     std::unique_ptr<OIIO::ImageInput> input_;
 };
 
-ImageReader::ImageReader(std::string bytes, std::filesystem::path name)
+ImageReader::ImageReader(std::shared_ptr<const std::string> bytes, std::filesystem::path name)
     : name_(std::move(name)), bytes_(std::move(bytes)) {
-    const ImageCodec* codec = codecOf(bytes_);
-    if (!codec) failAt(name_, 0, std::string("is none of the images that are read: ") + kCodecNames);
+    const ImageCodec* codec = codecOf(*bytes_);
+    if (!codec)
+        failAt(name_, 0, std::string("is none of the images that are read: ") + kCodecNames);
     if (std::string_view(codec->name) == "png") {
         try {
-            source_ = std::make_unique<PngSource>(bytes_);
+            source_ = std::make_unique<PngSource>(*bytes_);
         } catch (const PngError& error) {
             failAt(name_, 0, "damaged image: " + printable(error.what()));
         }
     } else {
-        source_ = std::make_unique<OtherSource>(codec->name, bytes_, name_.string());
+        source_ = std::make_unique<OtherSource>(codec->name, *bytes_, name_.string());
         if (!source_->error.empty())
             failAt(name_, 0, "no readable image: " + printable(source_->error));
     }
@@ -124,9 +125,9 @@ void ImageReader::checkHeader(uint64_t samplesPerByte) const {
     if (texels > kMaxTexels || texels * spec.nchannels > 4 * kMaxTexels)
         failAt(name_, 0, size + " is too large");
     if ((uint64_t) texels * (uint64_t) spec.nchannels >
-        kFreeSamples + samplesPerByte * bytes_.size())
+        kFreeSamples + samplesPerByte * bytes_->size())
         failAt(name_, 0,
-               "damaged image: " + std::to_string(bytes_.size()) + " bytes cannot hold the " +
+               "damaged image: " + std::to_string(bytes_->size()) + " bytes cannot hold the " +
                    std::to_string(spec.width) + "x" + std::to_string(spec.height) +
                    " texels of its header");
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <OpenImageIO/imageio.h>
 
@@ -13,9 +14,11 @@ namespace dirt {
 class ImageReader {
 public:
     /// \p name is for messages. Throws InputError ("file: what is wrong") where the bytes are of no
-    /// format that is read, the header is damaged or absurd, or it claims more than so few bytes can
-    /// hold.
-    ImageReader(std::string bytes, std::filesystem::path name);
+    /// format that is read, the header is damaged or absurd, or it claims more than so few bytes
+    /// can hold.
+    ImageReader(std::string bytes, std::filesystem::path name)
+        : ImageReader(std::make_shared<std::string>(std::move(bytes)), std::move(name)) {}
+    ImageReader(std::shared_ptr<const std::string> bytes, std::filesystem::path name);
     ~ImageReader();
     ImageReader(const ImageReader&) = delete;
     ImageReader& operator=(const ImageReader&) = delete;
@@ -35,7 +38,7 @@ private:
     void checkHeader(uint64_t samplesPerByte) const;
 
     std::filesystem::path name_;
-    std::string bytes_;
+    std::shared_ptr<const std::string> bytes_;
     std::unique_ptr<Source> source_;
 };
 

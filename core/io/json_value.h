@@ -44,6 +44,7 @@ public:
     /// The names of the object's members.
     std::vector<std::string> names() const;
 
+    const std::filesystem::path& file() const { return *file_; }
     /// As errors name it: "meshes[3].primitives[0]"; empty for the root.
     const std::string& place() const { return place_; }
 
@@ -59,6 +60,9 @@ private:
     const nlohmann::json* value_;
     std::string place_; ///< empty for the root
 };
+
+/// Bytes that parseJson of \p text takes at most, or nearly so.
+uint64_t jsonBytes(std::string_view text);
 
 /// Parses \p text of \p file. Throws InputError, with the line where \p hasLines says that the file
 /// is that text.

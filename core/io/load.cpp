@@ -3,6 +3,7 @@
 #include "core/frame/move_scene.h"
 #include "core/io/error.h"
 #include "core/io/find_file.h"
+#include "core/io/mesh_size.h"
 #include "core/io/scene_builder.h"
 #include "core/io/scene_origin.h"
 
@@ -43,7 +44,7 @@ struct Placed {
     glm::dmat4 toSpace{1.0};
     uint32_t space = MovingSpace::kWorld;
     bool doubleSided = true;
-    MaterialChoice materials;
+    MaterialChoice materials = {};
 };
 
 /// Option --materials, which overrides all.
@@ -69,6 +70,23 @@ void warnOfRounding(const fs::path& file, const Rounded& rounded, LoadReport& re
                         "their area");
 }
 
+/// Takes the memory of all that is placed, before any is, and makes room for it.
+void makeRoom(const std::vector<Placed>& list, const std::vector<SceneBuilder::Use>& uses,
+              const MemoryBudget& budget, Mesh& mesh) {
+    MeshSize sum;
+    for (size_t i = 0; i < list.size(); ++i) {
+        const MeshSize size = placedSize(*uses[i].model);
+        const bool moves = list[i].space != MovingSpace::kWorld;
+        const uint64_t copied = moves ? size.positions + size.normals : 0;
+        budget.spend(size.bytes() + copied * sizeof(glm::vec3), list[i].file,
+                     "each of " + std::to_string(size.triangles) +
+                         " triangles, as often as it is "
+                         "placed,");
+        sum += size;
+    }
+    reserve(sum, mesh);
+}
+
 /// Reads each file once, on threads, and places what it holds as often as it is named.
 void placeModels(std::vector<Placed> list, bool cache, const LoadOptions& options,
                  LoadReport& report, LoadedScene& loaded) {
@@ -82,13 +100,14 @@ void placeModels(std::vector<Placed> list, bool cache, const LoadOptions& option
     Executor& executor = options.executor ? *options.executor : serial;
     std::vector<Model> models(files.size());
     readAll(files.size(), executor, options.progress,
-            [&](size_t i) { models[i] = readModel(files[i], cache); });
+            [&](size_t i) { models[i] = readModel(files[i], cache, options.memory); });
     if (options.materials) chooseMaterials(*options.materials, models, list);
     std::vector<SceneBuilder::Use> uses;
     for (const Placed& placed : list)
         uses.push_back({&models[places[placed.file]], placed.materials});
-    SceneBuilder builder(scene, report);
+    SceneBuilder builder(scene, report, options.memory);
     builder.readTexturesAhead(uses, executor, options.progress);
+    makeRoom(list, uses, options.memory, scene.mesh);
     OriginFinder origins(scene.animation);
     for (size_t i = 0; i < list.size(); ++i)
         origins.add(*uses[i].model, list[i].toSpace, list[i].space);
@@ -135,7 +154,7 @@ void chooseModelCamera(LoadedScene& loaded) {
 
 void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport& report,
                    LoadedScene& loaded) {
-    const SceneFile source = readSceneFile(file, report);
+    const SceneFile source = readSceneFile(file, report, options.memory);
     Scene& scene = loaded.scene;
     scene.camera = source.camera;
     scene.background = source.background;
@@ -146,10 +165,13 @@ void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport&
     loaded.hasCamera = source.hasCamera;
     scene.animation = source.animation;
     std::vector<Placed> list;
-    for (const SceneFile::Object& object : source.objects)
-        list.push_back({findObject(source, object), object.toSpace, object.space,
-                        object.doubleSided,
+    std::map<std::string, fs::path> found;
+    for (const SceneFile::Object& object : source.objects) {
+        fs::path& place = found[object.file];
+        if (place.empty()) place = findObject(source, object);
+        list.push_back({place, object.toSpace, object.space, object.doubleSided,
                         MaterialChoice::inSceneFile(source.materials, object.materials)});
+    }
     placeModels(std::move(list), options.cache && source.cache, options, report, loaded);
     moveToOrigin(source, scene);
 }
@@ -164,6 +186,7 @@ std::string firstSkipped(const LoadReport& report) {
 } // namespace
 
 LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
+    const FolderListings listings;
     LoadedScene loaded;
     LoadReport report(options.strict);
     if (isModelFile(file))

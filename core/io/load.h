@@ -2,6 +2,7 @@
 
 #include "core/io/load_report.h"
 #include "core/io/material_convention.h"
+#include "core/io/memory_budget.h"
 #include "core/io/model_views.h"
 #include "core/io/read_all.h"
 #include "core/io/scene_file.h"
@@ -20,7 +21,10 @@ struct LoadOptions {
     /// What the MTL files of all objects are taken for; none: what the files say.
     std::optional<MaterialConvention> materials;
     Executor* executor = nullptr; ///< whose threads read files; none: one after the other
-    LoadProgress progress;        ///< of models, then of textures; may be empty
+    /// For the files while they are read, and for what is kept of them; without a limit unless one
+    /// is given. One for each scene.
+    MemoryBudget memory;
+    LoadProgress progress; ///< of models, then of textures; may be empty
 };
 
 /// A scene, at frame 0 if it is animated, and what its file said besides.
@@ -39,9 +43,9 @@ struct LoadedScene {
 };
 
 /// Loads a .scene, .obj, .gltf or .glb file with all that it names. Throws InputError, one line
-/// with file and line, where the input is bad: see readSceneFile, readObj and readGltf; no
-/// triangles; an object that is not there; an unknown file type; LoadOptions::materials where there
-/// is no OBJ file.
+/// with file and line, where the input is bad: see readSceneFile, readObj and readGltf; more than
+/// LoadOptions::memory has; no triangles; an object that is not there; an unknown file type;
+/// LoadOptions::materials where there is no OBJ file.
 LoadedScene loadScene(const std::filesystem::path& file, const LoadOptions& options = {});
 
 } // namespace dirt

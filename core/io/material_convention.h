@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -32,6 +33,8 @@ struct MaterialChoice {
 
     By by = By::bareModel;
     MaterialConvention convention = MaterialConvention::wavefront;
+
+    auto operator<=>(const MaterialChoice&) const = default;
 
     /// Of an object of a .scene file: what the file says, the object's word before the world's.
     static MaterialChoice inSceneFile(std::optional<MaterialConvention> world,

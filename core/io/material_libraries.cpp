@@ -4,8 +4,6 @@
 #include "core/io/mtl_material.h"
 #include "core/io/text_file.h"
 
-#include <algorithm>
-
 namespace dirt {
 
 namespace fs = std::filesystem;
@@ -23,7 +21,8 @@ MaterialLibraries::Library MaterialLibraries::of(const ObjFile& obj, const Mater
         bool found = false;
         std::string_view rest = name.text;
         for (auto word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
-            if (const auto part = findFile(folder, word)) {
+            const bool isWhole = word.size() == name.text.size(); // which is not there
+            if (const auto part = isWhole ? std::nullopt : findFile(folder, word)) {
                 read(*part, choice, library);
                 found = true;
             } else {
@@ -47,13 +46,13 @@ MaterialLibraries::Library MaterialLibraries::of(const ObjFile& obj, const Mater
 void MaterialLibraries::read(const fs::path& file, const MaterialChoice& choice, Library& library) {
     auto known = read_.find(file);
     if (known == read_.end()) {
-        known = read_.emplace(file, readMtl(file)).first;
+        known = read_.emplace(file, readMtl(file, memory_)).first;
         report_.warn(file, known->second.faults);
         for (const std::string& name : known->second.others) report_.ignore("MTL " + name);
     }
     const MtlFile& mtl = known->second;
     const MaterialFile taken = decideConvention(file, choice, mtl.saysMetallic());
-    if (std::find(files_.begin(), files_.end(), taken) == files_.end()) {
+    if (taken_.insert({taken.file, taken.convention, taken.reason}).second) {
         for (const MtlMaterial& material : mtl.materials)
             reportIgnored(material, taken.convention, report_);
         files_.push_back(taken);

@@ -7,7 +7,9 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace dirt {
@@ -15,7 +17,8 @@ namespace dirt {
 /// The MTL files of a scene, each read once, and what each is taken for.
 class MaterialLibraries {
 public:
-    explicit MaterialLibraries(LoadReport& report) : report_(report) {}
+    explicit MaterialLibraries(LoadReport& report, const MemoryBudget& budget = {})
+        : report_(report), memory_(budget) {}
 
     /// A material of a file, and the convention that it is taken by.
     struct Entry {
@@ -37,8 +40,10 @@ private:
     void read(const std::filesystem::path& file, const MaterialChoice& choice, Library& library);
 
     LoadReport& report_;
+    MemoryClaim memory_; ///< for read_
     std::map<std::filesystem::path, MtlFile> read_;
     std::vector<MaterialFile> files_;
+    std::set<std::tuple<std::filesystem::path, MaterialConvention, std::string>> taken_; ///< files_
 };
 
 } // namespace dirt

@@ -34,12 +34,14 @@ bool isModelFile(const std::filesystem::path& file) {
     return isGltf(file) || lowerCaseExtension(file) == ".obj";
 }
 
-Model readModel(const std::filesystem::path& file, bool cache) {
+Model readModel(const std::filesystem::path& file, bool cache, const MemoryBudget& budget) {
     Model model;
+    model.memory = MemoryClaim(budget);
     if (isGltf(file))
-        model.file = noteImages(readGltf(file, model.report));
+        model.file = noteImages(readGltf(file, model.report, model.memory));
     else
-        model.file = cache ? readObjCached(file, model.report) : readObj(file, model.report);
+        model.file = cache ? readObjCached(file, model.report, model.memory)
+                           : readObj(file, model.report, model.memory);
     return model;
 }
 

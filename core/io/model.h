@@ -14,6 +14,7 @@ namespace dirt {
 struct Model {
     std::variant<ObjFile, GltfFile> file;
     LoadReport report; ///< what was noticed
+    MemoryClaim memory;
 };
 
 /// What tells file types apart: ".obj".
@@ -23,7 +24,7 @@ std::string lowerCaseExtension(const std::filesystem::path& file);
 bool isModelFile(const std::filesystem::path& file);
 
 /// Reads a glTF file, or an OBJ file, which is what any other name is taken for; \p cache: through
-/// its cache. Throws InputError (see readGltf and readObj).
-Model readModel(const std::filesystem::path& file, bool cache);
+/// its cache; within \p budget. Throws InputError (see readGltf and readObj).
+Model readModel(const std::filesystem::path& file, bool cache, const MemoryBudget& budget = {});
 
 } // namespace dirt

@@ -6,7 +6,9 @@
 #include "core/io/text_file.h"
 
 #include <algorithm>
+#include <set>
 #include <string_view>
+#include <utility>
 
 namespace dirt {
 
@@ -51,10 +53,12 @@ const Key* find(const Key (&keys)[count], std::string_view name) {
 
 class MtlReader {
 public:
-    explicit MtlReader(const std::filesystem::path& file) { result_.file = file; }
+    MtlReader(const std::filesystem::path& file, MemoryClaim& memory) : memory_(memory) {
+        result_.file = file;
+    }
 
     MtlFile read() {
-        const std::string text = readTextFile(result_.file);
+        const std::string text = readTextFile(result_.file, memory_);
         LineReader lines(text);
         while (lines.next()) {
             line_ = lines.number();
@@ -62,6 +66,7 @@ public:
             const std::string_view key = takeWord(arguments);
             if (!key.empty() && key[0] != '#') statement(key, trimmed(arguments));
         }
+        finish();
         result_.faults = faults_.faults();
         return std::move(result_);
     }
@@ -69,11 +74,14 @@ public:
 private:
     void statement(std::string_view key, std::string_view arguments) {
         if (equalButForCase(key, "newmtl")) {
+            // And what the list takes while it grows.
+            memory_.take(3 * sizeof(MtlMaterial), result_.file, "the list of materials");
             MtlMaterial& material = result_.materials.emplace_back();
             material.name = arguments;
             material.line = line_;
+            for (std::string& key : std::exchange(before_, {})) ignore(std::move(key));
         } else if (result_.materials.empty()) {
-            ignore(std::string(key));
+            before(key);
         } else if (const ColourKey* colourKey = find(kColours, key)) {
             colour(*colourKey, arguments);
         } else if (const NumberKey* numberKey = find(kNumbers, key)) {
@@ -96,10 +104,22 @@ private:
                       arguments.substr(arguments.find_last_of(" \t") + 1));
     }
 
+    /// What stands before the first material is told of when there is one: of a file that is none
+    /// of MTL no more than the first line is shown.
+    void before(std::string_view key) {
+        if (before_.empty()) beforeLine_ = line_;
+        before_.emplace_back(key);
+    }
+
+    void finish() {
+        if (result_.materials.empty() && !before_.empty())
+            faults_.add(WarningKind::missingMaterialLibrary, "no material", beforeLine_, [this] {
+                return "this is no MTL file: no newmtl follows " + inQuotes(before_.front());
+            });
+    }
+
     void ignore(std::string what) {
-        auto& others = result_.others;
-        if (std::find(others.begin(), others.end(), what) == others.end())
-            others.push_back(std::move(what));
+        if (others_.insert(what).second) result_.others.push_back(std::move(what));
     }
 
     void fault(std::string_view key, const std::string& what) {
@@ -174,8 +194,12 @@ private:
         material.maps[(size_t) key.use] = std::move(map);
     }
 
+    MemoryClaim& memory_;
+    std::vector<std::string> before_; ///< keys before the first material,
+    size_t beforeLine_ = 0;           ///< and the first one's line
     MtlFile result_;
     FaultCounter faults_;
+    std::set<std::string> others_; ///< those of result_
     size_t line_ = 0;
 };
 
@@ -187,7 +211,12 @@ bool MtlFile::saysMetallic() const {
 }
 
 MtlFile readMtl(const std::filesystem::path& file) {
-    return MtlReader(file).read();
+    MemoryClaim unlimited;
+    return readMtl(file, unlimited);
+}
+
+MtlFile readMtl(const std::filesystem::path& file, MemoryClaim& memory) {
+    return MtlReader(file, memory).read();
 }
 
 } // namespace dirt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/load_report.h"
+#include "core/io/memory_budget.h"
 
 #include <array>
 #include <cstddef>
@@ -77,5 +78,7 @@ struct MtlFile {
 /// finite is a fault, and its key counts as not there. Throws InputError where the file cannot be
 /// read.
 MtlFile readMtl(const std::filesystem::path& file);
+/// The same; \p memory takes what the result needs.
+MtlFile readMtl(const std::filesystem::path& file, MemoryClaim& memory);
 
 } // namespace dirt

@@ -9,6 +9,8 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <set>
 #include <span>
 #include <string_view>
 
@@ -23,9 +25,16 @@ bool isSilent(std::string_view keyword) {
     return keyword == "g" || keyword == "o" || keyword == "s" || keyword == "p" || keyword == "l";
 }
 
+/// Statements of geometry and its materials.
+bool isGeometry(std::string_view keyword) {
+    return keyword == "v" || keyword == "vn" || keyword == "vt" || keyword == "f" ||
+           keyword == "usemtl" || keyword == "mtllib";
+}
+
 class ObjReader {
 public:
-    ObjReader(const std::filesystem::path& file, LoadReport& report) : report_(report) {
+    ObjReader(const std::filesystem::path& file, LoadReport& report, MemoryClaim& memory)
+        : report_(report), memory_(memory) {
         obj_.file = file;
     }
 
@@ -36,7 +45,14 @@ public:
             std::string_view arguments = lines.line();
             const std::string_view keyword = takeWord(arguments);
             if (!keyword.empty() && keyword[0] != '#') statement(keyword, arguments);
+            if (++sinceCharged_ == kLinesPerCharge) charge();
         }
+        if (unknownLine_ > 0 && !isObj_) {
+            line_ = unknownLine_;
+            fail(inQuotes(unknown_) + " is no statement of an OBJ file");
+        }
+        for (const std::string& name : ignored_) report_.ignore("OBJ " + name);
+        charge();
         checkIndices();
         checkVertices();
         decodeColours();
@@ -51,6 +67,20 @@ private:
     /// An index that cannot be in range, whatever follows.
     static constexpr uint32_t kNowhere = ObjFile::kNone - 1;
 
+    /// Lines between two looks at how much memory they took: of a megabyte or so.
+    static constexpr size_t kLinesPerCharge = 1 << 14;
+
+    /// Takes what the arrays have now, and what the largest would take to grow.
+    void charge() {
+        sinceCharged_ = 0;
+        const auto bytes = [](const auto& array) { return array.capacity() * sizeof array[0]; };
+        const uint64_t sizes[] = {bytes(obj_.positions), bytes(obj_.normals), bytes(obj_.texcoords),
+                                  bytes(obj_.corners), bytes(obj_.faces)};
+        const uint64_t sum = std::accumulate(std::begin(sizes), std::end(sizes), uint64_t(0));
+        memory_.reach(textBytes_ + sum + 2 * *std::max_element(std::begin(sizes), std::end(sizes)),
+                      obj_.file, "the model");
+    }
+
     [[noreturn]] void fail(const std::string& message) const { failAt(obj_.file, line_, message); }
 
     void fault(const char* message) {
@@ -58,6 +88,7 @@ private:
     }
 
     void statement(std::string_view keyword, std::string_view arguments) {
+        isObj_ = isObj_ || isGeometry(keyword);
         if (keyword == "v")
             position(arguments);
         else if (keyword == "vn")
@@ -71,7 +102,17 @@ private:
         else if (keyword == "mtllib")
             addName(obj_.libraries, libraries_, arguments);
         else if (!isSilent(keyword))
-            report_.ignore("OBJ " + std::string(keyword));
+            ignore(keyword);
+    }
+
+    /// They are told of at the end: of a file that is none of OBJ no more than its first is shown.
+    void ignore(std::string_view keyword) {
+        if (unknownLine_ == 0) {
+            unknownLine_ = line_;
+            unknown_ = keyword;
+        }
+        const auto [name, isNew] = ignoredNames_.emplace(keyword);
+        if (isNew) ignored_.push_back(*name);
     }
 
     /// How many of the line's numbers there are, of which \p needed must be there. The first six
@@ -256,6 +297,14 @@ private:
     };
 
     LoadReport& report_;
+    MemoryClaim& memory_;
+    const uint64_t textBytes_ = memory_.bytes(); ///< taken for the file's text
+    size_t sinceCharged_ = 0;                    ///< lines
+    bool isObj_ = false;                         ///< there was a statement that nothing else has
+    size_t unknownLine_ = 0;                     ///< of the first statement that is not known,
+    std::string unknown_;                        ///< and its keyword
+    std::vector<std::string> ignored_;           ///< such keywords, each once
+    std::set<std::string> ignoredNames_;         ///< the same
     ObjFile obj_;
     FaultCounter faults_;
     VertexColours colours_;
@@ -272,11 +321,18 @@ private:
 } // namespace
 
 ObjFile readObj(const std::filesystem::path& file, LoadReport& report) {
-    return parseObj(file, readBytes(file), report);
+    MemoryClaim unlimited;
+    return readObj(file, report, unlimited);
 }
 
-ObjFile parseObj(const std::filesystem::path& file, std::string_view bytes, LoadReport& report) {
-    ObjFile obj = ObjReader(file, report).read(textOf(file, bytes));
+ObjFile readObj(const std::filesystem::path& file, LoadReport& report, MemoryClaim& memory) {
+    const std::string bytes = readBytes(file, memory);
+    return parseObj(file, bytes, report, memory);
+}
+
+ObjFile parseObj(const std::filesystem::path& file, std::string_view bytes, LoadReport& report,
+                 MemoryClaim& memory) {
+    ObjFile obj = ObjReader(file, report, memory).read(textOf(file, bytes));
     report.warn(file, obj.faults);
     return obj;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/load_report.h"
+#include "core/io/memory_budget.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -61,7 +62,11 @@ struct ObjFile {
 /// indices out of range, and its float32 positions would be rounded again by a transform.
 ObjFile readObj(const std::filesystem::path& file, LoadReport& report);
 
+/// The same; \p memory takes what the result needs.
+ObjFile readObj(const std::filesystem::path& file, LoadReport& report, MemoryClaim& memory);
+
 /// The same of the file's \p bytes.
-ObjFile parseObj(const std::filesystem::path& file, std::string_view bytes, LoadReport& report);
+ObjFile parseObj(const std::filesystem::path& file, std::string_view bytes, LoadReport& report,
+                 MemoryClaim& memory);
 
 } // namespace dirt

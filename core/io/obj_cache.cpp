@@ -225,16 +225,21 @@ void keepCache(const std::vector<fs::path>& places, const std::string& cache) {
 
 /// The first that is sound.
 std::optional<ReadObj> findCache(const std::vector<fs::path>& places,
-                                 std::span<const std::byte> source, const fs::path& file) {
+                                 std::span<const std::byte> source, const fs::path& file,
+                                 MemoryClaim& memory) {
     for (const fs::path& place : places) {
         std::error_code error;
         if (!fs::is_regular_file(place, error)) continue;
         try {
-            const std::string bytes = readOwnBytes(place);
+            const std::string bytes = readOwnBytes(place, memory);
+            // The arrays are what it holds.
+            memory.take(bytes.size(), place, "the model");
             if (auto read = decodeCache(std::as_bytes(std::span(bytes)), source, file)) {
                 noteInput(place);
                 return read;
             }
+        } catch (const MemoryError&) {
+            throw;
         } catch (const InputError&) { // it cannot be read
         }
     }
@@ -302,15 +307,15 @@ std::optional<ReadObj> decodeCache(std::span<const std::byte> cache,
     return read;
 }
 
-ObjFile readObjCached(const fs::path& file, LoadReport& report) {
-    const std::string text = readBytes(file);
+ObjFile readObjCached(const fs::path& file, LoadReport& report, MemoryClaim& memory) {
+    const std::string text = readBytes(file, memory);
     const auto source = std::as_bytes(std::span(text));
-    if (source.size() < kLeastSource) return readObj(file, report);
+    if (source.size() < kLeastSource) return parseObj(file, text, report, memory);
     const auto places = cachePlaces(file);
-    auto read = findCache(places, source, file);
+    auto read = findCache(places, source, file, memory);
     if (!read) {
         LoadReport own;
-        ObjFile obj = parseObj(file, text, own);
+        ObjFile obj = parseObj(file, text, own, memory);
         read = {std::move(obj), own.ignored()};
         keepCache(places, encodeCache(*read, source));
     }

@@ -18,24 +18,26 @@ void SceneBuilder::readTexturesAhead(std::span<const Use> uses, Executor& execut
                                      const LoadProgress& progress) {
     Scene scene;
     LoadReport report;
-    SceneBuilder announcing(scene, report);
+    SceneBuilder announcing(scene, report, textures_.budget());
     announcing.textures_.announce();
-    for (const Use& use : uses) announcing.resolveMaterials(use, true);
+    for (const Use& use : uses) announcing.materialsOf(use, true);
     textures_.readAhead(announcing.textures_, executor, progress);
 }
 
 uint64_t SceneBuilder::add(const Use& use, const glm::dmat4& toWorld, bool doubleSided) {
-    report_.append(use.model->report);
-    const std::vector<uint32_t> materials = resolveMaterials(use, doubleSided);
+    if (reported_.insert(use.model).second) report_.append(use.model->report);
+    const std::vector<uint32_t>& materials = materialsOf(use, doubleSided);
     if (const auto* obj = std::get_if<ObjFile>(&use.model->file))
         return placeMesh(*obj, toWorld, materials, scene_.mesh);
     return placeGltf(std::get<GltfFile>(use.model->file), toWorld, materials, scene_.mesh);
 }
 
-std::vector<uint32_t> SceneBuilder::resolveMaterials(const Use& use, bool doubleSided) {
+const std::vector<uint32_t>& SceneBuilder::materialsOf(const Use& use, bool doubleSided) {
+    const auto [known, isNew] = resolved_.try_emplace({use.model, use.materials, doubleSided});
+    if (!isNew) return known->second;
     if (const auto* obj = std::get_if<ObjFile>(&use.model->file))
-        return resolveMaterials(*obj, use.materials, doubleSided);
-    return resolveMaterials(std::get<GltfFile>(use.model->file), doubleSided);
+        return known->second = resolveMaterials(*obj, use.materials, doubleSided);
+    return known->second = resolveMaterials(std::get<GltfFile>(use.model->file), doubleSided);
 }
 
 /// For each of the file's material names its place in the scene; last, that of unnamed ones.

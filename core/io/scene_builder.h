@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <tuple>
@@ -24,8 +25,9 @@ namespace dirt {
 /// uses are not loaded.
 class SceneBuilder {
 public:
-    SceneBuilder(Scene& scene, LoadReport& report)
-        : scene_(scene), report_(report), libraries_(report), textures_(scene, report) {}
+    SceneBuilder(Scene& scene, LoadReport& report, const MemoryBudget& budget = {})
+        : scene_(scene), report_(report), libraries_(report, budget),
+          textures_(scene, report, budget) {}
 
     /// A model, and how its MTL files are to be taken.
     struct Use {
@@ -49,7 +51,9 @@ public:
     const std::vector<MaterialFile>& materialFiles() const { return libraries_.files(); }
 
 private:
-    std::vector<uint32_t> resolveMaterials(const Use& use, bool doubleSided);
+    /// Places in the scene of the model's materials, and last that of none. They are looked for
+    /// once, however often the model is placed.
+    const std::vector<uint32_t>& materialsOf(const Use& use, bool doubleSided);
     std::vector<uint32_t> resolveMaterials(const ObjFile& obj, const MaterialChoice& choice,
                                            bool doubleSided);
     std::vector<uint32_t> resolveMaterials(const GltfFile& gltf, bool doubleSided);
@@ -62,6 +66,9 @@ private:
     Scene& scene_;
     LoadReport& report_;
     MaterialLibraries libraries_;
+    std::set<const Model*> reported_;
+    /// By model, how its MTL files are taken, and whether all is double-sided.
+    std::map<std::tuple<const Model*, MaterialChoice, bool>, std::vector<uint32_t>> resolved_;
     /// By file, name and convention (none for glTF); without a file: the stand-ins.
     std::map<std::tuple<std::string, std::string, std::optional<MaterialConvention>, bool>,
              uint32_t>

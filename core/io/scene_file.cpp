@@ -73,8 +73,9 @@ constexpr SceneAttribute kHonoured[] = {
 
 class SceneFileReader {
 public:
-    SceneFileReader(const std::filesystem::path& file, LoadReport& report)
-        : xml_(file), report_(report) {
+    SceneFileReader(const std::filesystem::path& file, LoadReport& report,
+                    const MemoryBudget& budget)
+        : xml_(file, budget), report_(report) {
         scene_.file = file;
     }
 
@@ -348,8 +349,9 @@ std::span<const SceneAttribute> honouredSceneAttributes() {
     return kHonoured;
 }
 
-SceneFile readSceneFile(const std::filesystem::path& file, LoadReport& report) {
-    return SceneFileReader(file, report).read();
+SceneFile readSceneFile(const std::filesystem::path& file, LoadReport& report,
+                        const MemoryBudget& budget) {
+    return SceneFileReader(file, report, budget).read();
 }
 
 } // namespace dirt

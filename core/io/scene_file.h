@@ -3,6 +3,7 @@
 #include "core/frame/settings.h"
 #include "core/io/load_report.h"
 #include "core/io/material_convention.h"
+#include "core/io/memory_budget.h"
 #include "core/scene/scene.h"
 
 #include <cstddef>
@@ -75,6 +76,7 @@ std::span<const SceneAttribute> honouredSceneAttributes();
 /// Reads a .scene file. Elements and attributes without effect are reported as ignored. Throws
 /// InputError with the element's line where the file is not well-formed XML, a value is malformed
 /// or out of range, or an element that may be there once is there twice.
-SceneFile readSceneFile(const std::filesystem::path& file, LoadReport& report);
+SceneFile readSceneFile(const std::filesystem::path& file, LoadReport& report,
+                        const MemoryBudget& budget = {});
 
 } // namespace dirt

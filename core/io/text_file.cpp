@@ -2,39 +2,40 @@
 
 #include "core/io/input_files.h"
 #include "core/io/load_report.h"
+#include "core/io/opened_file.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
-#include <system_error>
 
 namespace dirt {
 
 std::string readBytes(const std::filesystem::path& file) {
+    MemoryClaim unlimited;
+    return readBytes(file, unlimited);
+}
+
+std::string readBytes(const std::filesystem::path& file, MemoryClaim& memory) {
     noteInput(file);
-    return readOwnBytes(file);
+    return readOwnBytes(file, memory);
 }
 
 std::string readOwnBytes(const std::filesystem::path& file) {
-    std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) failAt(file, 0, "no such file");
-    if (std::filesystem::is_directory(status)) failAt(file, 0, "is a folder, not a file");
-    if (!std::filesystem::is_regular_file(status)) failAt(file, 0, "is not a regular file");
+    MemoryClaim unlimited;
+    return readOwnBytes(file, unlimited);
+}
 
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
-                                                                 &std::fclose);
-    if (!stream) failAt(file, 0, std::string("cannot be opened: ") + std::strerror(errno));
+std::string readOwnBytes(const std::filesystem::path& file, MemoryClaim& memory) {
+    const OpenedFile opened(file);
+    memory.take(opened.size(), file, "the file");
     std::string bytes;
-    const auto size = std::filesystem::file_size(file, error);
-    if (!error) bytes.reserve((size_t) size);
-    char block[1 << 16];
-    while (const size_t count = std::fread(block, 1, sizeof block, stream.get()))
+    bytes.reserve(opened.size());
+    // Of a file that grows meanwhile, what it was: no more than has been asked for.
+    while (bytes.size() < opened.size()) {
+        char block[1 << 16];
+        const size_t wanted = std::min(sizeof block, opened.size() - bytes.size());
+        const size_t count = opened.read(block, wanted);
+        if (count == 0) break;
         bytes.append(block, count);
-    if (std::ferror(stream.get()))
-        failAt(file, 0, std::string("cannot be read: ") + std::strerror(errno));
+    }
     return bytes;
 }
 
@@ -51,7 +52,12 @@ std::string_view textOf(const std::filesystem::path& file, std::string_view byte
 }
 
 std::string readTextFile(const std::filesystem::path& file) {
-    std::string text = readBytes(file);
+    MemoryClaim unlimited;
+    return readTextFile(file, unlimited);
+}
+
+std::string readTextFile(const std::filesystem::path& file, MemoryClaim& memory) {
+    std::string text = readBytes(file, memory);
     const size_t length = textOf(file, text).size();
     text.erase(0, text.size() - length);
     return text;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/io/memory_budget.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -10,8 +12,12 @@ namespace dirt {
 /// The bytes of a file, which is noted as an input. Throws InputError where it cannot be read.
 std::string readBytes(const std::filesystem::path& file);
 
+/// The same; \p memory takes what they need.
+std::string readBytes(const std::filesystem::path& file, MemoryClaim& memory);
+
 /// The same for a file that the program keeps for itself, and may write again: it is not noted.
 std::string readOwnBytes(const std::filesystem::path& file);
+std::string readOwnBytes(const std::filesystem::path& file, MemoryClaim& memory);
 
 /// \p bytes, which \p file holds, without a UTF-8 byte order mark. Throws InputError where they are
 /// UTF-16 or hold NUL bytes.
@@ -20,6 +26,7 @@ std::string_view textOf(const std::filesystem::path& file, std::string_view byte
 /// The bytes of a text file, without a UTF-8 byte order mark. Throws InputError where the file
 /// cannot be read, is UTF-16 or holds NUL bytes.
 std::string readTextFile(const std::filesystem::path& file);
+std::string readTextFile(const std::filesystem::path& file, MemoryClaim& memory);
 
 /// Hands out the lines of a text. Lines end in LF, CR LF or CR; the last one need not end.
 class LineReader {

@@ -38,25 +38,42 @@ const OIIO::TypeDesc kType<float> = OIIO::TypeDesc::FLOAT;
 
 /// An opened image, and its texels when they are first asked for.
 struct DecodedImage::Pixels {
-    explicit Pixels(const ImageFile& file)
-        : reader(file.bytes ? *file.bytes : readBytes(file.name), file.name), name(reader.name()),
-          spec(reader.spec()) {}
+    Pixels(const ImageFile& file, const MemoryBudget& budget)
+        : memory(budget),
+          reader(file.bytes ? file.bytes
+                            : std::make_shared<const std::string>(readBytes(file.name, memory)),
+                 file.name),
+          name(reader.name()), spec(reader.spec()) {}
+
+    uint64_t texels() const { return (uint64_t) spec.width * (uint64_t) spec.height; }
+
+    /// Takes so many bytes a texel of what is made of the image and kept.
+    void keep(uint64_t bytes) const { memory.budget().spend(texels() * bytes, name, sizeText()); }
+    std::string sizeText() const {
+        return "an image of " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
+               " texels";
+    }
 
     /// All channels of every texel.
     template <typename Channel>
     const std::vector<Channel>& all() {
         std::vector<Channel>& texels = std::get<std::vector<Channel>>(decoded);
         if (!texels.empty()) return texels;
+        // The decoder has all samples once, too.
+        memory.take(this->texels() * (uint64_t) spec.nchannels *
+                        (sizeof(Channel) + spec.format.size()),
+                    name, sizeText());
         std::vector<Channel> read((size_t) spec.width * (size_t) spec.height *
                                   (size_t) spec.nchannels);
         reader.read(0, spec.nchannels, kType<Channel>, read.data());
         return texels = std::move(read);
     }
 
-    /// Three channels of every texel.
+    /// Three channels of every texel, to be kept.
     template <typename Channel>
     std::vector<Channel> colours() {
         const std::vector<Channel>& from = all<Channel>();
+        keep(3 * sizeof(Channel));
         const auto channels = (size_t) spec.nchannels;
         if (channels == 3) return from;
         const size_t step = channels >= 3 ? 1 : 0;
@@ -77,6 +94,7 @@ struct DecodedImage::Pixels {
     template <typename Channel>
     std::vector<Channel> one(int channel) {
         const std::vector<Channel>& from = all<Channel>();
+        keep(sizeof(Channel));
         if (spec.nchannels == 1) return from;
         std::vector<Channel> texels(from.size() / (size_t) spec.nchannels);
         for (size_t i = 0; i < texels.size(); ++i)
@@ -94,13 +112,15 @@ struct DecodedImage::Pixels {
         return ScalarTexture(name.string(), spec.width, spec.height, std::move(texels));
     }
 
+    MemoryClaim memory;
     ImageReader reader;
     const std::filesystem::path& name;
     const OIIO::ImageSpec& spec;
     std::tuple<std::vector<uint8_t>, std::vector<float>> decoded;
 };
 
-DecodedImage::DecodedImage(const ImageFile& file) : pixels_(std::make_unique<Pixels>(file)) {}
+DecodedImage::DecodedImage(const ImageFile& file, const MemoryBudget& budget)
+    : pixels_(std::make_unique<Pixels>(file, budget)) {}
 
 DecodedImage::~DecodedImage() = default;
 
@@ -191,15 +211,33 @@ ScalarTexture readScalarTexture(const DecodedImage& image, ImageChannel channel)
     return pixels.scalars(pixels.spec.nchannels >= 3 ? (int) channel : 0);
 }
 
-std::optional<ScalarTexture> readAlpha(const DecodedImage& image, float limit) {
+namespace {
+
+/// Of all texels.
+std::pair<float, float> leastAndMost(const ScalarTexture& texture) {
+    std::pair<float, float> range(texture.texel(0, 0), texture.texel(0, 0));
+    for (int y = 0; y < texture.height(); ++y)
+        for (int x = 0; x < texture.width(); ++x) {
+            range.first = std::min(range.first, texture.texel(x, y));
+            range.second = std::max(range.second, texture.texel(x, y));
+        }
+    return range;
+}
+
+} // namespace
+
+std::optional<ScalarTexture> readAlpha(const DecodedImage& image) {
     DecodedImage::Pixels& pixels = image.pixels();
     if (pixels.spec.alpha_channel < 0) return {};
     ScalarTexture alpha = pixels.scalars(pixels.spec.alpha_channel);
-    bool cut = false, left = false;
-    for (int y = 0; y < alpha.height(); ++y)
-        for (int x = 0; x < alpha.width(); ++x) (alpha.texel(x, y) < limit ? cut : left) = true;
-    if (!cut || !left) return {};
+    const auto [least, most] = leastAndMost(alpha);
+    if (least == most) return {};
     return alpha;
+}
+
+bool cutsOut(const ScalarTexture& alpha, float limit) {
+    const auto [least, most] = leastAndMost(alpha);
+    return least < limit && most >= limit;
 }
 
 } // namespace dirt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/memory_budget.h"
 #include "core/scene/scalar_texture.h"
 #include "core/scene/texture.h"
 
@@ -20,17 +21,20 @@ struct ImageFile {
     requires std::convertible_to<Path, std::filesystem::path> ImageFile(const Path& file)
         : name(file) {}
     ImageFile(std::filesystem::path standIn, std::string fileBytes)
+        : ImageFile(std::move(standIn), std::make_shared<std::string>(std::move(fileBytes))) {}
+    ImageFile(std::filesystem::path standIn, std::shared_ptr<const std::string> fileBytes)
         : name(std::move(standIn)), bytes(std::move(fileBytes)) {}
 
     std::filesystem::path name;
-    std::optional<std::string> bytes; ///< none: those of the file
+    std::shared_ptr<const std::string> bytes; ///< null: those of the file
 };
 
 /// An image that is decoded once, whatever is then read of it. Its constructor and what reads it
-/// throw InputError ("file: what is wrong") where the file is damaged, absurdly large or no image.
+/// throw InputError ("file: what is wrong") where the file is damaged, absurdly large or no image;
+/// MemoryError where \p budget has not got what it claims. What is made of it is spent for good.
 class DecodedImage {
 public:
-    explicit DecodedImage(const ImageFile& file);
+    explicit DecodedImage(const ImageFile& file, const MemoryBudget& budget = {});
     ~DecodedImage();
 
     struct Pixels;
@@ -65,8 +69,10 @@ ScalarTexture readScalarTexture(const DecodedImage& image,
 /// in the sum of squares over all texels.
 bool isNormalMap(const DecodedImage& image);
 
-/// An image's alpha, if it has any that cuts out a part of the image and leaves one: texels below
-/// \p limit and others.
-std::optional<ScalarTexture> readAlpha(const DecodedImage& image, float limit = 0.5f);
+/// An image's alpha, if it has any that is not the same everywhere.
+std::optional<ScalarTexture> readAlpha(const DecodedImage& image);
+
+/// Whether \p alpha cuts out a part of the image and leaves one: texels below \p limit and others.
+bool cutsOut(const ScalarTexture& alpha, float limit = 0.5f);
 
 } // namespace dirt

@@ -1,5 +1,6 @@
 #include "core/io/texture_loader.h"
 
+#include "core/io/content_hash.h"
 #include "core/io/error.h"
 
 #include <cstdio>
@@ -51,17 +52,21 @@ void TextureLoader::readAhead(const TextureLoader& announced, Executor& executor
 
 /// What each of \p reads gets of the image, which is decoded once.
 std::vector<TextureLoader::Result> TextureLoader::read(const ImageFile& file,
-                                                       std::span<const Read> reads) {
+                                                       std::span<const Read> reads) const {
     std::vector<Result> results(reads.size());
     try {
-        const DecodedImage image(file);
+        const DecodedImage image(file, budget_);
         for (size_t i = 0; i < reads.size(); ++i) {
             try {
                 results[i] = reads[i](image);
+            } catch (const MemoryError&) {
+                throw;
             } catch (const InputError& error) {
                 results[i] = std::string(error.what());
             }
         }
+    } catch (const MemoryError&) {
+        throw;
     } catch (const InputError& error) {
         results.assign(reads.size(), std::string(error.what()));
     }
@@ -69,9 +74,12 @@ std::vector<TextureLoader::Result> TextureLoader::read(const ImageFile& file,
 }
 
 TextureLoader::Key TextureLoader::keyOf(const Source& source, const std::string& what) {
-    const std::string path = source.image ? source.image->name.string()
-                                          : (source.namedBy.parent_path() / source.label).string();
-    return {path, what};
+    if (!source.image) return {(source.namedBy.parent_path() / source.label).string(), what};
+    if (!source.image->bytes) return {source.image->name.string(), what};
+    const std::string& bytes = *source.image->bytes;
+    return {"/" + std::to_string(bytes.size()) + "/" +
+                std::to_string(contentHash(std::as_bytes(std::span(bytes)))),
+            what};
 }
 
 /// What is read of the image; nothing where that is not possible, which is warned of once.
@@ -140,12 +148,15 @@ TextureLoader::Relief TextureLoader::relief(const Source& source, const TextureS
 }
 
 uint32_t TextureLoader::alpha(const Source& source, float limit, const TextureSampling& sampling) {
-    return place(source, "alpha" + exactText(limit), sampling, scene_.scalarTextures,
-                 [limit](const DecodedImage& image) -> Result {
-                     auto alpha = readAlpha(image, limit);
-                     if (!alpha) return {};
-                     return std::move(*alpha);
-                 });
+    const Read read = [](const DecodedImage& image) -> Result {
+        auto alpha = readAlpha(image);
+        if (!alpha) return {};
+        return std::move(*alpha);
+    };
+    const Result& loaded = load(keyOf(source, "alpha"), source, read);
+    const auto* const alpha = std::get_if<ScalarTexture>(&loaded);
+    if (!alpha || !cutsOut(*alpha, limit)) return kNoTexture;
+    return place(source, "alpha", sampling, scene_.scalarTextures, read);
 }
 
 } // namespace dirt

@@ -33,7 +33,11 @@ public:
         size_t line = 0; ///< there
     };
 
-    TextureLoader(Scene& scene, LoadReport& report) : scene_(scene), report_(report) {}
+    /// \p budget: for all that is read, where it ends with a MemoryError.
+    TextureLoader(Scene& scene, LoadReport& report, MemoryBudget budget = {})
+        : scene_(scene), report_(report), budget_(std::move(budget)) {}
+
+    const MemoryBudget& budget() const { return budget_; }
 
     /// From now on textures are only taken note of, without warnings, and every answer is that
     /// there is none.
@@ -55,7 +59,7 @@ public:
         uint32_t normals; ///< in Scene::textures, linear, where the image is a normal map
     };
     Relief relief(const Source& source, const TextureSampling& sampling, ImageChannel channel);
-    /// In Scene::scalarTextures: the image's alpha, if it cuts out a part (see readAlpha).
+    /// In Scene::scalarTextures: the image's alpha, if it cuts out a part (see cutsOut).
     uint32_t alpha(const Source& source, float limit = 0.5f, const TextureSampling& sampling = {});
 
 private:
@@ -63,7 +67,8 @@ private:
     using Result = std::variant<std::monostate, Texture, ScalarTexture, std::string>;
     using Read = std::function<Result(const DecodedImage&)>;
 
-    /// A path, or label where there is none, and what is read of it.
+    /// What tells images apart, and what is read of one: a path, a label where there is none, or
+    /// of one that is embedded its size and a hash of its bytes, as several may be the same.
     using Key = std::pair<std::string, std::string>;
     struct Announced {
         Key key;
@@ -72,7 +77,7 @@ private:
     };
 
     static Key keyOf(const Source& source, const std::string& what);
-    static std::vector<Result> read(const ImageFile& image, std::span<const Read> reads);
+    std::vector<Result> read(const ImageFile& image, std::span<const Read> reads) const;
     const Result& load(const Key& key, const Source& source, const Read& read);
     template <typename T>
     uint32_t place(const Source& source, const std::string& what, const TextureSampling& sampling,
@@ -80,6 +85,7 @@ private:
 
     Scene& scene_;
     LoadReport& report_;
+    MemoryBudget budget_;
     std::map<Key, Result> loaded_;
     std::map<std::pair<Key, std::string>, uint32_t> places_; ///< also by sampling
     bool announcing_ = false;

@@ -35,7 +35,19 @@ std::string_view takeItem(std::string_view& list) {
 
 } // namespace
 
-XmlFile::XmlFile(const std::filesystem::path& file) : file_(file), text_(readTextFile(file)) {
+XmlFile::XmlFile(const std::filesystem::path& file, const MemoryBudget& budget)
+    : file_(file), memory_(budget), text_(readTextFile(file, memory_)) {
+    // pugixml copies the text, and makes a node of what begins with '<' or an attribute has; and
+    // what reads the nodes makes an object of some.
+    constexpr uint64_t kNode = 256, kAttribute = 64;
+    const auto count = [this](char c) {
+        return (uint64_t) std::count(text_.begin(), text_.end(), c);
+    };
+    memory_.take(text_.size() + kNode * count('<') + kAttribute * count('=') +
+                     sizeof(ptrdiff_t) * 2 * count('\n'),
+                 file_, "its XML");
+    for (size_t at = text_.find('\n'); at != text_.npos; at = text_.find('\n', at + 1))
+        breaks_.push_back((ptrdiff_t) at);
     checkUtf8();
     // Fragments are allowed here so that text beside the root comes to light below.
     const auto result =
@@ -71,8 +83,8 @@ void XmlFile::checkTree(pugi::xml_node parent, int depth) const {
 }
 
 size_t XmlFile::lineOfOffset(ptrdiff_t offset) const {
-    const ptrdiff_t end = std::clamp(offset, ptrdiff_t(0), (ptrdiff_t) text_.size());
-    return 1 + (size_t) std::count(text_.begin(), text_.begin() + end, '\n');
+    const auto before = std::lower_bound(breaks_.begin(), breaks_.end(), offset);
+    return 1 + (size_t) (before - breaks_.begin());
 }
 
 size_t XmlFile::line(pugi::xml_node node) const {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "core/io/load_report.h"
+#include "core/io/memory_budget.h"
 
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -19,7 +21,7 @@ namespace dirt {
 class XmlFile {
 public:
     /// Throws InputError with the line where the file is not well-formed.
-    explicit XmlFile(const std::filesystem::path& file);
+    explicit XmlFile(const std::filesystem::path& file, const MemoryBudget& budget = {});
 
     const std::filesystem::path& file() const { return file_; }
     pugi::xml_node root() const { return document_.document_element(); }
@@ -35,7 +37,9 @@ private:
     void checkTree(pugi::xml_node parent, int depth) const;
 
     std::filesystem::path file_;
+    MemoryClaim memory_;
     std::string text_;
+    std::vector<ptrdiff_t> breaks_; ///< of lines, in text_
     pugi::xml_document document_;
 };
 

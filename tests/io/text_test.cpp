@@ -60,7 +60,7 @@ TEST(TextFile, RefusesWhatIsNoText) {
     EXPECT_EQ(errorOf(folder.path()), folder.path().string() + ": is a folder, not a file");
     EXPECT_EQ(errorOf(folder.path() / "none"),
               (folder.path() / "none").string() + ": no such file");
-    EXPECT_EQ(errorOf("/dev/zero"), "/dev/zero: is not a regular file");
+    EXPECT_EQ(errorOf("/dev/zero"), "/dev/zero: is a device, not a file");
 }
 
 TEST(Number, ReadsEveryCommonForm) {
