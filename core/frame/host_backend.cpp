@@ -9,7 +9,6 @@
 namespace dirt {
 
 void HostBackend::transform(const Mesh& mesh, const Camera& camera, ViewMode mode) {
-    transformed_.cutOuts = nullptr; // of the frame before
     transformMesh(mesh, camera, mode, executor_, transformed_);
     transformed_.cutOuts = nullptr; // until the frame begins
     geometry_ = &transformed_;
