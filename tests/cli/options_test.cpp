@@ -38,6 +38,7 @@ const std::vector<std::pair<std::string, std::string>> kOptions = {{"--backend",
                                                                    {"--fov", "50"},
                                                                    {"--frame", "1"},
                                                                    {"--threads", "1"},
+                                                                   {"--memory", "4G"},
                                                                    {"--materials", "demo"}};
 const std::vector<std::string> kFlags = {"--quiet", "--no-cache", "--strict"};
 
@@ -45,17 +46,16 @@ struct CommandRow {
     std::string name;
     Names idle; ///< options that it has no use for
 };
-const CommandRow kCommands[] = {
-    {"render", {}},
-    {"info", {}},
-    {"dump", {"--spp"}},
-    {"check", {"--spp", "--backend"}},
-    {"verify",
-     {"--spp", "--bounces", "--ray-type", "--primary", "--fetch", "--visibility", "--shading",
-      "--materials"}},
-    {"bench frame", {"--spp", "--bounces"}},
-    {"bench tradeoff", {"--spp"}},
-    {"bench scaling", {"--spp", "--frame"}}};
+const CommandRow kCommands[] = {{"render", {}},
+                                {"info", {}},
+                                {"dump", {"--spp"}},
+                                {"check", {"--spp", "--backend"}},
+                                {"verify",
+                                 {"--spp", "--bounces", "--ray-type", "--primary", "--fetch",
+                                  "--visibility", "--shading", "--materials"}},
+                                {"bench frame", {"--spp", "--bounces"}},
+                                {"bench tradeoff", {"--spp"}},
+                                {"bench scaling", {"--spp", "--frame"}}};
 
 /// The command with what it needs besides, and a scene that is not there.
 std::vector<std::string> commandLine(const std::string& name, const TemporaryFolder& folder) {
@@ -112,7 +112,8 @@ TEST(Options, HelpListsWhatACommandHonours) {
         Names known(kFlags.begin(), kFlags.end());
         for (const auto& [option, value] : kOptions) known.insert(option);
         if (command.name != "verify") continue;
-        // Which model has cameras is not the command's business; --devices is info's, and spoken of.
+        // Which model has cameras is not the command's business; --devices is info's, and spoken
+        // of.
         known.merge(Names{"--help", "--rays", "--kinds", "--json", "--camera", "--devices",
                           "--extremes", "--only"});
         for (size_t at = help.find("--"); at != std::string::npos; at = help.find("--", at + 2)) {
@@ -165,12 +166,11 @@ TEST(Options, CheckHonoursWhatOneOfItsBackendsDoes) {
 
 TEST(Options, OthersThatLeaveOneWithoutEffectAreNamed) {
     const TemporaryFolder folder;
-    const std::string
-        scene = litTriangle(folder),
-        single =
-            folder.write("single.scene",
-                         "<world><tracing faces=\"single\"/><object file=\"a.obj\"/>"
-                         "<user position=\"0 0 0\" lookat=\"0 0 -1\"/></world>");
+    const std::string scene = litTriangle(folder),
+                      single =
+                          folder.write("single.scene",
+                                       "<world><tracing faces=\"single\"/><object file=\"a.obj\"/>"
+                                       "<user position=\"0 0 0\" lookat=\"0 0 -1\"/></world>");
     EXPECT_TRUE(isRefused({"info", scene, "--view", "single", "--view-size", "64"}, "--view-size"));
     EXPECT_TRUE(isRefused({"info", single, "--view-size", "64"}, "--view-size"));
     EXPECT_TRUE(isRefused({"info", scene, "--traversal", "linear", "--max-mip", "2"}, "--max-mip"));
