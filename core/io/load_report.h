@@ -23,6 +23,7 @@ enum class WarningKind {
     unusableValue,     ///< of a material: a number that cannot be
     unseenMaterial     ///< a surface so transparent that it is taken as not there
 };
+inline constexpr WarningKind kLastWarningKind = WarningKind::unseenMaterial;
 
 /// Something that did not stop the load. The text is one line, "file:line: what is missing".
 struct Warning {

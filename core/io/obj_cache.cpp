@@ -130,7 +130,9 @@ public:
     void faults(std::vector<Fault>& faults) {
         for (uint64_t count = number(); count > 0 && !failed_; --count) {
             Fault& fault = faults.emplace_back();
-            fault.kind = (WarningKind) number();
+            const uint64_t kind = number();
+            if (kind > (uint64_t) kLastWarningKind) return fail();
+            fault.kind = (WarningKind) kind;
             fault.line = number();
             text(fault.message);
             fault.count = number();
@@ -262,6 +264,11 @@ std::vector<fs::path> cachePlaces(const fs::path& obj) {
     return places;
 }
 
+std::string sealCache(const std::string& content, std::span<const std::byte> source) {
+    const Header header = makeHeader(std::as_bytes(std::span(content)), source);
+    return std::string((const char*) &header, sizeof header) + content;
+}
+
 std::string encodeCache(const ReadObj& read, std::span<const std::byte> source) {
     Writer content;
     const ObjFile& obj = read.obj;
@@ -276,8 +283,7 @@ std::string encodeCache(const ReadObj& read, std::span<const std::byte> source) 
     content.faults(obj.faults);
     content.number(read.ignored.size());
     for (const std::string& name : read.ignored) content.text(name);
-    const Header header = makeHeader(std::as_bytes(std::span(content.bytes())), source);
-    return std::string((const char*) &header, sizeof header) + content.bytes();
+    return sealCache(content.bytes(), source);
 }
 
 std::optional<ReadObj> decodeCache(std::span<const std::byte> cache,

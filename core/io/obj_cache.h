@@ -21,6 +21,9 @@ struct ReadObj {
 /// then in the user's folder for caches ($XDG_CACHE_HOME/dirt, else ~/.cache/dirt).
 std::vector<std::filesystem::path> cachePlaces(const std::filesystem::path& obj);
 
+/// A cache that holds \p content, which encodeCache lays out, made from \p source.
+std::string sealCache(const std::string& content, std::span<const std::byte> source);
+
 /// The bytes of a cache of \p read, made from \p source, the bytes of the OBJ file.
 std::string encodeCache(const ReadObj& read, std::span<const std::byte> source);
 

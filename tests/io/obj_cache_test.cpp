@@ -196,6 +196,27 @@ TEST_F(ObjCache, NonsenseIsNoticed) {
     EXPECT_FALSE(accepted(read));
 }
 
+/// Kinds of warnings that there are not, whose sums are right: a number of 64 bits that the enum
+/// would cut to one there is, and one just beyond the last.
+TEST(ObjCacheContents, HoldKnownKindsAlone) {
+    ReadObj read;
+    read.obj.faults.push_back({WarningKind::precision, 7, "none", 2});
+    const std::string source = "v 0 0 0\n";
+    const auto sourceBytes = std::as_bytes(std::span(source));
+    const std::string cache = encodeCache(read, sourceBytes);
+    // Nine arrays without elements but for the faults, whose count and kind come last but three.
+    std::string content = cache.substr(cache.size() - (8 * 8 + 8 + 4 * 8 + 4 + 8));
+    ASSERT_EQ(sealCache(content, sourceBytes), cache);
+    const auto decode = [&](uint64_t kind) {
+        std::memcpy(content.data() + 9 * 8, &kind, sizeof kind);
+        const std::string sealed = sealCache(content, sourceBytes);
+        return decodeCache(std::as_bytes(std::span(sealed)), sourceBytes, "a.obj").has_value();
+    };
+    EXPECT_TRUE(decode((uint64_t) kLastWarningKind));
+    EXPECT_FALSE(decode((uint64_t) kLastWarningKind + 1));
+    EXPECT_FALSE(decode((uint64_t(2) << 32) + 3));
+}
+
 TEST_F(ObjCache, OfAnotherVersionOrMachineIsReplaced) {
     const std::string sound = encoded();
     // Version, byte order and layout, with the header's own sum made right again.
