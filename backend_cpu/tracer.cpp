@@ -214,11 +214,6 @@ private:
     ViewCone::Part seen_{0.0f, FLT_MAX};
 };
 
-/// Rays that go on to core at once: those from the eye where triangles hold it.
-inline bool needsCore(const LeafTracer& tracer, const Ray& ray) {
-    return !tracer.grid.atEye.empty() && ray.origin == glm::vec3(0.0f);
-}
-
 void Closest(const LeafTracer& tracer, std::span<const Ray> rays, std::span<Hit> hits,
              LeafCounts& counts) {
     for (size_t i = 0; i < rays.size(); ++i) {
@@ -227,7 +222,7 @@ void Closest(const LeafTracer& tracer, std::span<const Ray> rays, std::span<Hit>
         hits[i] = {};
         if (!isTraceable(ray)) continue;
         NearestQuery query(tracer, ray);
-        if (!needsCore(tracer, ray) && Traversal(tracer, ray, query, counts).run()) {
+        if (Traversal(tracer, ray, query, counts).run()) {
             hits[i] = query.best;
         } else {
             ++counts.scalar;
@@ -238,7 +233,7 @@ void Closest(const LeafTracer& tracer, std::span<const Ray> rays, std::span<Hit>
 
 bool OccludedInLeaves(const LeafTracer& tracer, const Ray& ray, float maxT, LeafCounts& counts) {
     AnyQuery query(tracer, ray, maxT);
-    if (!needsCore(tracer, ray) && Traversal(tracer, ray, query, counts).run()) return query.found;
+    if (Traversal(tracer, ray, query, counts).run()) return query.found;
     ++counts.scalar;
     return anyHit(tracer.grid, tracer.geometry, ray, maxT);
 }

@@ -269,6 +269,7 @@ Walker firstTurn(Search search) {
     w.at = 0u;
     w.pendingViews = (1u << grid.views) - 1u;
     bool throughEye =
+        search.ray.origin != vec3(0.0) && // from there it meets nothing there
         crossProduct(dvec3(search.ray.origin), dvec3(search.ray.direction)) == dvec3(0.0LF);
     w.phase = throughEye ? kEye : kNextView;
     if (!isTraceable(search.ray)) w.phase = kDone;

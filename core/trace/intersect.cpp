@@ -30,6 +30,9 @@ auto oneNorm(const Vec& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
+/// Of the grid frame. What a plane through it holds is no hit of the rays that start there.
+constexpr glm::vec3 kEye(0.0f);
+
 EdgePlanes::Weights exactWeights(glm::vec3 origin, glm::vec3 direction, const Triangle& t) {
     return {edgeDeterminantExact(origin, direction, t.b, t.c),
             edgeDeterminantExact(origin, direction, t.c, t.a),
@@ -54,7 +57,9 @@ bool meet(glm::vec3 origin, glm::vec3 direction, const Triangle& triangle, const
     // area; otherwise their sum, d . normal, is not zero and the line meets the plane in a point.
     if (positive == negative) return false;
 
-    if (!plane().at(direction, out.t)) return false;
+    const PlaneDistance& from = plane();
+    if (from.side() == 0 && origin == kEye) return false;
+    if (!from.at(direction, out.t)) return false;
 
     // Weights of a tiny far triangle: 2^-24 of their sum has to be above two of their errors.
     if (std::abs(weights.a + weights.b + weights.c) < kSureWeights * weights.bound)

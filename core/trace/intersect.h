@@ -12,7 +12,8 @@ struct TriangleHit {
 };
 
 /// Whether the exact ray (t >= 0) meets the closed triangle, decided by exact signs (T4): a ray in
-/// the triangle's plane and a triangle without area are no hit. Does not look at ray.skip.
+/// the triangle's plane and a triangle without area are no hit; nor is, of a ray that starts in the
+/// eye, a triangle that holds the eye. Does not look at ray.skip.
 bool intersect(const Ray& ray, const Triangle& triangle, TriangleHit& out);
 
 /// Where rays from one origin meet the plane of a triangle: intersect()'s t, for many directions.

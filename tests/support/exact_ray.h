@@ -13,7 +13,7 @@ struct ExactHit {
 };
 
 /// Whether the exact ray, t >= 0, meets the closed triangle; a ray in the triangle's plane, or a
-/// triangle without area, is no hit.
+/// triangle without area, is no hit, nor is a triangle that holds the eye, of a ray from there.
 inline ExactHit intersectExactly(const Ray& ray, const Triangle& triangle) {
     ExactHit result;
     const int unit = std::min({lowestExponent(ray.origin), lowestExponent(triangle.a),
@@ -34,6 +34,7 @@ inline ExactHit intersectExactly(const Ray& ray, const Triangle& triangle) {
         if (sign(weight) * sign(sum) < 0) return result;
     const Integer distance = dot(a, cross(b - a, c - a));
     if (sign(distance) * sign(sum) < 0) return result;
+    if (distance == 0 && ray.origin == glm::vec3(0.0f)) return result;
 
     result.hit = true;
     const Integer denominator = abs(sum);
