@@ -9,8 +9,8 @@
 namespace dirt {
 namespace {
 
-// Storage blocks of shadow_rays.comp and visibility.comp.
-enum Block : GLuint { kHits = 1, kShadowRays = 6, kAsked = 7 };
+// Storage blocks of shadow_rays.comp, visibility.comp and resolve.comp.
+enum Block : GLuint { kHits = 1, kShadowRays = 6, kAsked = 7, kClamped = 6 };
 
 constexpr uint32_t kGroup = 64;
 
@@ -159,7 +159,12 @@ void SamplePasses::shade(int event, const TriangleBuffer& triangles) {
 
 void SamplePasses::resolve() {
     programs_.use(resolveSource());
+    uint32_t clamped = 0;
+    const GlBuffer counter(sizeof clamped, &clamped);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kClamped, counter.id());
     paths_.dispatch();
+    counter.read(0, sizeof clamped, &clamped);
+    counts_.clamped += clamped;
 }
 
 std::vector<BufferSize> SamplePasses::sizes() const {

@@ -39,6 +39,7 @@ PathRay scatteredRay(uint i, uint pixel) {
         throughput = throughput / chance;
     }
     vec3 origin = offsetOrigin(triangleOf(point.primitive), point.u, point.v, next.direction);
+    throughput = boundedRadiance(throughput);
     return PathRay(origin, point.primitive, next.direction, next.pdf, throughput, 0.0);
 }
 #else

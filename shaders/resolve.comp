@@ -1,9 +1,14 @@
 #version 450 core
-// Resolve: adds the sample's radiance to the image.
+// Resolve: adds the sample's radiance to the image, and counts the pixels in which it was clamped.
 
 #include "include/paths.glsl"
+#include "shared/radiance.h"
 
 layout(local_size_x = 64) in;
+
+layout(std430, binding = 6) buffer ClampedBlock {
+    uint clamped;
+};
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
@@ -12,4 +17,6 @@ void main() {
         precise float sum = image[3u * i + c] + radiance[3u * i + c];
         image[3u * i + c] = sum;
     }
+    if (reachesBound(vec3(radiance[3u * i], radiance[3u * i + 1u], radiance[3u * i + 2u])))
+        atomicAdd(clamped, 1u);
 }

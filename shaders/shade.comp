@@ -15,7 +15,7 @@ layout(local_size_x = 64) in;
 void add(uint i, vec3 radianceOfPixel) {
     for (uint c = 0u; c < 3u; ++c) {
         precise float sum = radiance[3u * i + c] + radianceOfPixel[c];
-        radiance[3u * i + c] = sum;
+        radiance[3u * i + c] = boundedRadiance(sum);
     }
 }
 

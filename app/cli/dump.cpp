@@ -1,4 +1,5 @@
 #include "core/dump/dump.h"
+#include "app/cli/clamped_radiance.h"
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/interrupt.h"
@@ -198,6 +199,7 @@ Json manifest(const Input& input, const Backend& backend, const Executor& execut
     for (const char* key : {"passes", "build_ms", "memory", "threads", "spp"}) json.erase(key);
     const GridFrame frame = backend.readGeometry().frame;
     json["sample"] = 0;
+    json["clamped"] = result.counts.clamped;
     const glm::dvec3 origin = input.scene.origin;
     json["origin"] = {origin.x, origin.y, origin.z};
     json["frame"] = {{"eye", vectorJson(frame.eye)},
@@ -282,6 +284,7 @@ int runDump(const DumpOptions& options) {
         return interruptStatus();
     }
 
+    noteClamped(result, options.common.quiet);
     const std::string text =
         manifest(input, *backend, *executor, result, dump.files()).dump(2) + "\n";
     writeFile(manifestOf(options.folder), text);

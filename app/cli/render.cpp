@@ -1,3 +1,4 @@
+#include "app/cli/clamped_radiance.h"
 #include "app/cli/commands.h"
 #include "app/cli/image_metadata.h"
 #include "app/cli/input.h"
@@ -78,6 +79,7 @@ Json report(const Input& input, const Backend& backend, const Executor& executor
     json["rays"] = result.counts.rays;
     json["hits"] = result.counts.hits;
     json["shadow_rays"] = result.counts.shadowRays;
+    json["clamped"] = result.counts.clamped;
     return json;
 }
 
@@ -168,6 +170,8 @@ private:
         else if (stopped)
             std::fprintf(stderr, "dirt: stopped after %d of %d samples%s\n", result.samples,
                          input_.settings.samples, written ? "" : ", no image written");
+        if (result.counts.clamped > 0) bar.clear();
+        noteClamped(result, common_.quiet);
         if (written) {
             writeImage(outputOf(frame), input_, result);
             bar.clear();

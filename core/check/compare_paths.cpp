@@ -50,6 +50,16 @@ bool isClose(const ChannelInfo& info, uint32_t a, uint32_t b) {
     return std::abs(x - y) <= allowed;
 }
 
+/// A NaN or an infinity, which no pass may leave anywhere, not even both backends alike.
+bool isNotFinite(const ChannelInfo& info, const void* record) {
+    return isNumber(info) && (word(record, info) & 0x7f800000u) == 0x7f800000u;
+}
+
+bool isFinite(const Channels& channels, const void* record) {
+    return std::none_of(channels.begin(), channels.end(),
+                        [&](const ChannelInfo& info) { return isNotFinite(info, record); });
+}
+
 template <typename Compare>
 bool allChannels(const Channels& channels, const void* a, const void* b, const Compare& compare) {
     return std::all_of(channels.begin(), channels.end(), [&](const ChannelInfo& info) {
@@ -62,6 +72,16 @@ std::string text(const ChannelInfo& info, uint32_t bits) {
     char number[32];
     std::snprintf(number, sizeof number, "%.9g", (double) std::bit_cast<float>(bits));
     return number;
+}
+
+/// The channels that are not finite.
+std::string notFinite(const Channels& channels, const void* record) {
+    std::string all;
+    for (const ChannelInfo& info : channels)
+        if (isNotFinite(info, record))
+            all += (all.empty() ? "" : ", ") + info.channel.name + " is " +
+                   text(info, word(record, info));
+    return all;
 }
 
 /// The channels that differ, with both values.
@@ -92,15 +112,18 @@ void compareRecords(const std::vector<Record>& expected, const std::vector<Recor
     }
     for (size_t i = 0; i < expected.size(); ++i) {
         const Record &a = expected[i], &b = found[i];
-        if (std::memcmp(&a, &b, sizeof a) == 0 || allChannels(channels, &a, &b, sameValue))
+        const auto place = [&] {
+            return "pixel " + std::to_string(i % (size_t) width) + "," +
+                   std::to_string(i / (size_t) width) + ": ";
+        };
+        if (!isFinite(channels, &b))
+            row.differ([&] { return place() + notFinite(channels, &b); });
+        else if (std::memcmp(&a, &b, sizeof a) == 0 || allChannels(channels, &a, &b, sameValue))
             ++row.equal;
         else if (isAllowed(i))
             ++row.withinTolerance;
         else
-            row.differ([&] {
-                return "pixel " + std::to_string(i % (size_t) width) + "," +
-                       std::to_string(i / (size_t) width) + ": " + differences(channels, &a, &b);
-            });
+            row.differ([&] { return place() + differences(channels, &a, &b); });
     }
 }
 

@@ -240,8 +240,8 @@ Spotlight lightFor(const Camera& camera, glm::vec3 position, double distance) {
     // Irradiance at the distance d is flux / (2 pi (1 - cos 80 degrees)) / d^2; white paint turns
     // it into radiance by 1 / pi.
     light.flux =
-        (float) (2.0 / 3.0 * std::numbers::pi * (1.0 - std::cos(80.0 * std::numbers::pi / 180)) *
-                 std::numbers::pi * distance * distance);
+        roundedFlux(2.0 / 3.0 * std::numbers::pi * (1.0 - std::cos(80.0 * std::numbers::pi / 180)) *
+                    std::numbers::pi * distance * distance);
     return light;
 }
 

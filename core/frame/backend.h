@@ -18,6 +18,7 @@ struct FrameCounts {
     uint64_t rays = 0;       ///< that looked for their nearest hit, rasterized ones included
     uint64_t hits = 0;       ///< of these, that found one
     uint64_t shadowRays = 0; ///< that looked for any hit
+    uint64_t clamped = 0;    ///< samples of pixels whose radiance reached kMostRadiance
 };
 
 /// Runs the passes of a frame, on buffers of its own that can be read and written from the host;

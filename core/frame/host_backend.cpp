@@ -71,7 +71,7 @@ void HostBackend::shift() {
 }
 
 void HostBackend::resolve() {
-    passResolve(executor_, paths_);
+    passResolve(executor_, paths_, counts_);
 }
 
 void HostBackend::writePaths(const PathBuffers& paths) {

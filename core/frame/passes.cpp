@@ -7,6 +7,7 @@
 #include "shaders/shared/random.h"
 
 #include <algorithm>
+#include <atomic>
 #include <span>
 
 namespace dirt {
@@ -102,7 +103,7 @@ PathRay scatteredRay(const FrameContext& frame, uint32_t pixel, uint32_t sample,
         throughput = throughput / chance;
     }
     const Ray ray = leavingRay(frame.geometry, point, next.direction);
-    return {ray.origin, ray.skip, next.direction, next.pdf, throughput, 0.0f};
+    return {ray.origin, ray.skip, next.direction, next.pdf, boundedRadiance(throughput), 0.0f};
 }
 
 /// Whether the light would add something to G[k+1] of a pixel.
@@ -262,19 +263,21 @@ void passShade(const FrameContext& frame, Executor& executor, int event,
             if (!paths.alive(event, i)) continue;
             const StoredPoint point = nextPoint(frame, paths, i);
             const glm::vec3 throughput = event == 0 ? glm::vec3(1.0f) : paths.rays[i].throughput;
+            const auto add = [&](glm::vec3 radiance) {
+                paths.radiance[i] = boundedRadiance(paths.radiance[i] + radiance);
+            };
             if (frame.rayType == kRaysVisibility)
-                paths.radiance[i] += point->found() ? glm::vec3(0.0f) : throughput;
+                add(point->found() ? glm::vec3(0.0f) : throughput);
             else if (point->found())
-                paths.radiance[i] += throughput * point->emission;
+                add(throughput * point->emission);
             else if (seesBackground)
-                paths.radiance[i] += throughput * frame.scene.background;
+                add(throughput * frame.scene.background);
             if (frame.requirements.shadowRays && paths.visibility[i])
-                paths.radiance[i] += throughput * reflectedOfLight(frame, event, paths, i, *point);
+                add(throughput * reflectedOfLight(frame, event, paths, i, *point));
             if (frame.requirements.openLight && point->found())
-                paths.radiance[i] += throughput * reflectedOfLight(frame, event, paths, i, *point);
+                add(throughput * reflectedOfLight(frame, event, paths, i, *point));
             if (frame.shadowMap && point->found())
-                paths.radiance[i] +=
-                    throughput * litThroughMap(frame, event, shadowDepths, paths, i, *point);
+                add(throughput * litThroughMap(frame, event, shadowDepths, paths, i, *point));
         }
     });
 }
@@ -286,10 +289,17 @@ void passShift(PathBuffers& paths) {
     if (!paths.packedCurrent.empty()) paths.packedCurrent.swap(paths.packedNext);
 }
 
-void passResolve(Executor& executor, PathBuffers& paths) {
+void passResolve(Executor& executor, PathBuffers& paths, FrameCounts& counts) {
+    std::atomic<uint64_t> clamped = 0;
     executor.forRange(paths.image.size(), kGrain, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) paths.image[i] += paths.radiance[i];
+        uint64_t own = 0;
+        for (size_t i = begin; i < end; ++i) {
+            paths.image[i] += paths.radiance[i];
+            if (reachesBound(paths.radiance[i])) ++own;
+        }
+        if (own > 0) clamped += own;
     });
+    counts.clamped += clamped;
 }
 
 } // namespace dirt

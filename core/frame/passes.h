@@ -77,7 +77,7 @@ void passShade(const FrameContext& frame, Executor& executor, int event,
 /// Shifts the three points left.
 void passShift(PathBuffers& paths);
 
-/// Adds the sample's radiance to the image.
-void passResolve(Executor& executor, PathBuffers& paths);
+/// Adds the sample's radiance to the image; pixels whose radiance was clamped to \p counts.
+void passResolve(Executor& executor, PathBuffers& paths, FrameCounts& counts);
 
 } // namespace dirt

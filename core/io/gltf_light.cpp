@@ -48,13 +48,13 @@ Spotlight GltfSpotlight::placed(const glm::dmat4& toWorld,
     const glm::dvec3 target = position - far * glm::normalize(glm::dvec3(matrix[2]));
     // 1 - cos without its cancellation.
     const double flux = intensity * 4.0 * kPi * std::pow(std::sin(0.5 * outer), 2.0);
-    if (!fitsFloat(position) || !fitsFloat(target) || !fitsFloat(flux))
-        failAt(file, 0, "the spotlight has no place, no direction or no finite power");
+    if (!fitsFloat(position) || !fitsFloat(target))
+        failAt(file, 0, "the spotlight has no place or no direction");
     Spotlight light;
     light.position = glm::vec3(position);
     light.target = glm::vec3(target);
     light.color = color;
-    light.flux = (float) flux;
+    light.flux = roundedFlux(flux);
     light.aperture = (float) (outer * 360.0 / kPi);
     light.penumbra = (float) (inner * 360.0 / kPi);
     light.exponent = 2.0f; // the extension's falloff: linear in the cosine, squared

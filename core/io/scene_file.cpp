@@ -4,12 +4,16 @@
 #include "core/io/text_file.h"
 #include "core/io/xml.h"
 #include "core/scene/transform.h"
+#include "shaders/shared/radiance.h"
 
 #include <algorithm>
 #include <cfloat>
+#include <cstdio>
 #include <iterator>
 #include <set>
 #include <string_view>
+
+#include <glm/common.hpp>
 
 namespace dirt {
 
@@ -84,7 +88,7 @@ public:
         if (std::string_view(root.name()) != "world")
             xml_.fail(root, "the root element must be <world>");
         const XmlAttributes attributes = attributesOf(root);
-        scene_.background = attributes.colour("background").value_or(scene_.background);
+        background(attributes, root);
         scene_.animation.fps = attributes.real("fps", 0.001, 1e5).value_or(scene_.animation.fps);
         microfacetModel(attributes, root);
         scene_.materials = materials(attributes, root);
@@ -94,6 +98,17 @@ public:
     }
 
 private:
+    void background(const XmlAttributes& attributes, pugi::xml_node node) {
+        const auto radiance = attributes.colour("background");
+        if (!radiance) return;
+        scene_.background = glm::min(*radiance, kMostRadiance);
+        if (scene_.background == *radiance) return;
+        char text[64];
+        std::snprintf(text, sizeof text, "background is above %g, and taken for it",
+                      (double) kMostRadiance);
+        report_.warn(WarningKind::unusableValue, scene_.file, xml_.line(node), text);
+    }
+
     void microfacetModel(const XmlAttributes& attributes, pugi::xml_node root) {
         const auto name = attributes.text("microfacet_model");
         if (!name) return;
@@ -237,7 +252,7 @@ private:
         Spotlight light;
         light.conical = attributes.boolean("conical").value_or(light.conical);
         light.shadows = attributes.boolean("shadows").value_or(light.shadows);
-        light.flux = attributes.number("flux", 0.0, FLT_MAX).value_or(light.flux);
+        light.flux = roundedFlux(attributes.wideReal("flux", 0.0).value_or(light.flux));
         light.color = attributes.colour("color").value_or(light.color);
         SceneFile::Points& points = scene_.points;
         points.lightLine = xml_.line(node);

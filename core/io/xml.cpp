@@ -5,6 +5,7 @@
 #include "core/io/utf8.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace dirt {
@@ -140,7 +141,7 @@ std::optional<int> XmlAttributes::integer(const char* name, int lowest, int high
     return parsed;
 }
 
-bool XmlAttributes::numbers(const char* name, double* values, int count) const {
+bool XmlAttributes::numbers(const char* name, double* values, int count, double largest) const {
     const auto value = text(name);
     if (!value) return false;
     std::string_view list = *value;
@@ -148,7 +149,8 @@ bool XmlAttributes::numbers(const char* name, double* values, int count) const {
     for (auto item = takeItem(list); !item.empty(); item = takeItem(list), ++found) {
         const auto parsed = parseNumber(item);
         if (!parsed) fail(name, "is malformed: " + inQuotes(item) + " is not a number");
-        if (!fitsFloat(*parsed)) fail(name, "is not finite in float32");
+        if (!(std::fabs(*parsed) <= largest))
+            fail(name, largest > FLT_MAX ? "is not finite" : "is not finite in float32");
         if (found < count) values[found] = *parsed;
     }
     if (found != count)
@@ -160,6 +162,13 @@ std::optional<double> XmlAttributes::real(const char* name, double lowest, doubl
     double value = 0.0;
     if (!numbers(name, &value, 1)) return std::nullopt;
     if (value < lowest || value > highest) fail(name, "is out of range");
+    return value;
+}
+
+std::optional<double> XmlAttributes::wideReal(const char* name, double lowest) const {
+    double value = 0.0;
+    if (!numbers(name, &value, 1, DBL_MAX)) return std::nullopt;
+    if (value < lowest) fail(name, "is out of range");
     return value;
 }
 

@@ -3,6 +3,7 @@
 #include "core/io/load_report.h"
 #include "core/io/memory_budget.h"
 
+#include <cfloat>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -61,6 +62,8 @@ public:
     std::optional<float> number(const char* name, double lowest, double highest) const;
     /// The same in double.
     std::optional<double> real(const char* name, double lowest, double highest) const;
+    /// The same of any number that double holds, from \p lowest on.
+    std::optional<double> wideReal(const char* name, double lowest) const;
     /// Three or four finite numbers, split at commas or blanks.
     std::optional<glm::dvec3> vector3(const char* name) const;
     std::optional<glm::dvec4> vector4(const char* name) const;
@@ -72,7 +75,8 @@ public:
 
 private:
     [[noreturn]] void fail(const char* name, const std::string& message) const;
-    bool numbers(const char* name, double* values, int count) const;
+    /// Of magnitudes up to \p largest.
+    bool numbers(const char* name, double* values, int count, double largest = FLT_MAX) const;
 
     const XmlFile& xml_;
     pugi::xml_node node_;

@@ -1,9 +1,11 @@
 #include "core/path/spotlight.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -15,6 +17,14 @@ namespace {
 double versine(float fullAngleDegrees) {
     const double s = std::sin(fullAngleDegrees * (std::numbers::pi / 720.0));
     return 2.0 * s * s;
+}
+
+/// The power of two that brings the largest coordinate of a far light into [1, 2); 1 of one that is
+/// no farther than the scene.
+float unitOf(glm::vec3 position) {
+    const float largest =
+        std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z), 1.0f});
+    return std::isfinite(largest) ? std::exp2((float) std::ilogb(largest)) : 1.0f;
 }
 
 } // namespace
@@ -39,10 +49,12 @@ GridSpotlight makeGridSpotlight(const Spotlight& light, const GridFrame& frame) 
     result.outer = (float) outer;
     result.range = (float) (outer - inner);
 
-    const double scale = frame.scale;
+    result.unit = unitOf(result.position);
+    const double scale = (double) frame.scale / result.unit;
     const double solidAngle = 2.0 * std::numbers::pi * outer;
-    result.intensity =
-        glm::vec3(glm::dvec3(light.color) * (light.flux / solidAngle * scale * scale));
+    const double white = std::min(light.flux / solidAngle * scale * scale, DBL_MAX);
+    const glm::dvec3 intensity = glm::dvec3(light.color) * white;
+    result.intensity = glm::vec3(glm::min(intensity, (double) FLT_MAX));
     return result;
 }
 

@@ -11,7 +11,7 @@ struct Spotlight {
     glm::vec3 position{0.0f};
     glm::vec3 target{0.0f, -1.0f, 0.0f};
     glm::vec3 color{1.0f};
-    float flux = 1.0f;
+    double flux = 1.0;      ///< proportional to the square of a scene's scale; see roundedFlux
     float aperture = 90.0f; ///< full angle of the outer cone, degrees
     float penumbra = 80.0f; ///< full angle of the inner cone, degrees
     float exponent = 1.0f;
@@ -25,5 +25,9 @@ struct Spotlight {
     float constantBias = 0.001f; ///< of the range, or of the scene's depth where it has no end
     float softShadowSize = 0.0f; ///< width over which a shadow's edge is blurred
 };
+
+/// \p flux with as many digits as a float has, whatever its exponent: that of a light which is to
+/// shine on a scene of 1e25 alike is beyond float.
+double roundedFlux(double flux);
 
 } // namespace dirt

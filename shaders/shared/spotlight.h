@@ -2,6 +2,8 @@
 #define DIRT_SHARED_SPOTLIGHT_H
 
 #include "shaders/shared/exponential.h"
+#include "shaders/shared/radiance.h"
+#include "shaders/shared/rounding.h"
 #include "shaders/shared/sampling.h"
 
 DIRT_SHARED_BEGIN
@@ -16,9 +18,17 @@ struct GridSpotlight {
     float exponent DIRT_DEFAULT(0.0f);
     vec3 up DIRT_DEFAULT(0.0f);
     uint conical DIRT_DEFAULT(0u);     // 0: a square frustum
-    vec3 intensity DIRT_DEFAULT(0.0f); // on the axis; per squared length of the grid frame, so
-    float unused DIRT_DEFAULT(0.0f);   //   that irradiance is in world units
+    vec3 intensity DIRT_DEFAULT(0.0f); // on the axis, per squared unit, so that irradiance is in
+                                       //   world units
+    float unit DIRT_DEFAULT(1.0f);     // a length of the grid frame: a power of two about as large
+                                       //   as the light is far away, 1 at least
 };
+
+/// The nearest to a light that light is told apart, of its unit.
+const float kNearestToLight = 1.0842021724855044e-19f; // 2^-63
+
+/// Farther lights, in the grid frame, reach nothing.
+const float kFarthestLight = 8.507059173023462e+37f; // 2^126
 
 /// What a point receives from a light, if nothing is between them.
 struct LightSample {
@@ -50,18 +60,32 @@ DIRT_FUNCTION float spotlightFalloff(GridSpotlight light, vec3 fromLight) {
 }
 
 /// What \p point receives, in the grid frame.
+///
+/// Squares of a distance below 2^-63 or above 2^63 are no normal floats. So the distance is taken
+/// times the power of two that brings it near 1, and the intensity is per squared unit: all in
+/// between is scaled by powers of two, which rounds nothing.
 DIRT_FUNCTION LightSample sampleSpotlight(GridSpotlight light, vec3 point) {
     LightSample result;
     DIRT_PRECISE vec3 toLight = light.position - point;
     result.toLight = toLight;
     result.direction = vec3(0.0f);
     result.irradiance = vec3(0.0f);
-    float squared = dotProduct(toLight, toLight);
-    if (!(squared > 0.0f)) return result;
-    DIRT_PRECISE vec3 direction = toLight * (1.0f / sqrt(squared));
-    DIRT_PRECISE vec3 irradiance = light.intensity * (spotlightFalloff(light, -toLight) / squared);
+    float largest = abs(toLight.x);
+    if (abs(toLight.y) > largest) largest = abs(toLight.y);
+    if (abs(toLight.z) > largest) largest = abs(toLight.z);
+    if (!(largest >= kSmallestNormal && largest < kFarthestLight)) return result;
+    float inverse = uintBitsToFloat((254u - (floatBitsToUint(largest) >> 23u)) << 23u);
+    DIRT_PRECISE vec3 scaled = toLight * inverse; // its largest coordinate is in [1, 2)
+    float squared = dotProduct(scaled, scaled);
+    DIRT_PRECISE vec3 direction = scaled * (1.0f / sqrt(squared));
     result.direction = direction;
-    result.irradiance = irradiance;
+    float falloff = spotlightFalloff(light, -scaled);
+    if (!(falloff > 0.0f)) return result;
+    DIRT_PRECISE float units = light.unit * inverse; // 1/4 at least
+    if (!(units < 1.0f / kNearestToLight)) units = 1.0f / kNearestToLight;
+    DIRT_PRECISE float received = falloff / squared * units;
+    DIRT_PRECISE vec3 irradiance = light.intensity * units * received;
+    result.irradiance = boundedRadiance(irradiance);
     return result;
 }
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -131,6 +132,26 @@ TEST(Check, BackendsWithoutAGridAreComparedInWhatTheyShare) {
     expectEqual(checkBackends(room(), smallImage(), cpu, embree));
     expectEqual(checkBackends(holes, smallImage(), embree, cpu));
 #endif
+}
+
+/// Two backends that agree may both be wrong.
+TEST(Check, WhatIsNotFiniteFails) {
+    SerialExecutor executor;
+    const float nan = std::nanf(""), inf = std::numeric_limits<float>::infinity();
+    for (const float bad : {nan, inf}) {
+        CpuBackend one(executor), other(executor);
+        const Fault fault{"Shade", 1, [bad](PathBuffers& paths) { paths.radiance[50].y = bad; }};
+        FaultyBackend first(one, fault), second(other, fault);
+        const CheckReport report = checkBackends(room(), smallImage(), first, second);
+        EXPECT_FALSE(report.passed());
+        const auto row = std::find_if(report.rows.begin(), report.rows.end(), [](const auto& r) {
+            return nameOf(r) == "Shade 1: radiance";
+        });
+        ASSERT_NE(row, report.rows.end());
+        ASSERT_EQ(row->different, 1u);
+        EXPECT_EQ(row->examples[0],
+                  std::string("pixel 2,1: G is ") + (std::isnan(bad) ? "nan" : "inf"));
+    }
 }
 
 /// How often the rows named by the keys have to differ, in either direction. All others must not.

@@ -237,12 +237,13 @@ TEST(AutoCamera, IsFiniteForEveryTriangle) {
 TEST(AutoCamera, DoesNotDependOnTheUnitOfLength) {
     // Powers of two, so that the scaled scene is exactly the same.
     const Standpoint one = choose(hall());
-    for (float scale : {std::ldexp(1.0f, -20), std::ldexp(1.0f, 20)}) {
+    for (int exponent : {-83, -20, 20, 83}) {
+        const float scale = std::ldexp(1.0f, exponent);
         const Standpoint other = choose(scaled(hall(), scale));
         EXPECT_EQ(other.camera.eye, one.camera.eye * scale);
         EXPECT_EQ(other.camera.target, one.camera.target * scale);
         EXPECT_EQ(other.light.position, one.light.position * scale);
-        EXPECT_EQ(other.light.flux, one.light.flux * scale * scale);
+        EXPECT_EQ(other.light.flux, one.light.flux * scale * scale); // in double
     }
 }
 

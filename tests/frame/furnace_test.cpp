@@ -102,6 +102,40 @@ TEST(Furnace, MirrorShowsTheSkyTimesFresnel) {
         EXPECT_NEAR(image.pixels[16 * 48 + 24][c], metal.diffuse[c], kRounding);
 }
 
+/// Each event adds what the walls emit, as long as the path goes on: nothing may leak or fade.
+TEST(Furnace, LongPathsKeepTheirEnergy) {
+    Material mirror = test::material(glm::vec3(1.0f), glm::vec3(1.0f, 0.5f, 0.25f));
+    mirror.reflectance = mirror.metallic = 1.0f;
+    mirror.roughness = 0.0f;
+    const Material matte = test::material(glm::vec3(1.0f), mirror.emission);
+    constexpr int kBounces = 1000;
+    for (const Material& material : {mirror, matte})
+        for (const bool roulette : {false, true}) {
+            Scene scene;
+            scene.materials = {material};
+            test::addBox(scene.mesh, {-1, -2, -3}, {2, 3, 1}, 0);
+            scene.camera.eye = {0.1f, 0.2f, 0.3f};
+            scene.background = glm::vec3(1000.0f); // would betray a leak
+            RenderSettings many = settings(ViewMode::full, kBounces);
+            many.grid.width = 12;
+            many.grid.height = 8;
+            many.samples = 1;
+            many.roulette = roulette;
+            // A mirror's weight F / chance is 1 but for three roundings, below 2^-22 an event, so
+            // that the mean weight is off by 2^-22 kBounces / 2 at most, the sum's roundings by as
+            // much. Roulette may end a path whose weight is below 1 by that, and makes up for it.
+            const double error = 2.0 * kBounces * 0x1p-23 + 0x1p-24 * kBounces;
+            const Image image = render(scene, many);
+            size_t whole = 0;
+            for (const glm::vec3& pixel : image.pixels) {
+                if (std::abs(pixel.x / kBounces - 1.0) <= error) ++whole;
+                EXPECT_EQ(pixel.y, 0.5f * pixel.x);
+                EXPECT_EQ(pixel.z, 0.25f * pixel.x);
+            }
+            EXPECT_EQ(whole, image.pixels.size());
+        }
+}
+
 TEST(Furnace, NoSurfaceReflectsMoreThanTheSky) {
     for (uint32_t model = 0; model < 4; ++model)
         for (const float metallic : {0.0f, 1.0f}) {

@@ -1,4 +1,6 @@
 #include "core/io/scene_file.h"
+
+#include "shaders/shared/radiance.h"
 #include "tests/io/input_error.h"
 #include "tests/support/temporary_folder.h"
 
@@ -274,6 +276,23 @@ TEST_F(SceneXml, HonouredAttributesAreRead) {
         EXPECT_NE(error(text).find(nonsense), std::string::npos) << text;
         EXPECT_TRUE(report_.ignored().empty());
     }
+}
+
+/// It grows with the square of a scene's scale, beyond what float holds; with its digits.
+TEST_F(SceneXml, FluxIsOfAnySize) {
+    EXPECT_EQ(readWorld("<light flux='1e50'/>").light->flux, roundedFlux(1e50));
+    EXPECT_EQ(readWorld("<light flux='1e-60'/>").light->flux, roundedFlux(1e-60));
+    EXPECT_EQ(readWorld("<light flux='0.1'/>").light->flux, (double) 0.1f);
+    EXPECT_EQ(errorInWorld("<light flux='1e400'/>"), ":2: <light>: flux='1e400' is not finite");
+}
+
+TEST_F(SceneXml, BackgroundIsBounded) {
+    const std::string file = folder_.write("a.scene", "<world background='1 3e38 0'/>");
+    const SceneFile scene = readSceneFile(file, report_);
+    EXPECT_EQ(scene.background, glm::vec3(1, kMostRadiance, 0));
+    ASSERT_EQ(report_.warnings().size(), 1u);
+    EXPECT_EQ(report_.warnings()[0].text,
+              file + ":1: background is above 7.92282e+28, and taken for it");
 }
 
 struct BadAttribute {

@@ -2,7 +2,10 @@
 
 #include "core/path/camera_rays.h"
 
+#include <algorithm>
+#include <cfloat>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -134,6 +137,64 @@ TEST(Spotlight, WorldUnitsAtAnyScaleAndInBothModes) {
             // Position and rotation are rounded at coordinates of about 3, the distance is 1.8.
             EXPECT_NEAR(sample.irradiance.x / reference, 1.0, 4 * kRounding) << s;
         }
+}
+
+/// By powers of two nothing is rounded otherwise, though the flux leaves float's range.
+TEST(Spotlight, ScalesByPowersOfTwoToTheBit) {
+    const glm::vec3 world(0.4f, 0.25f, -0.3f);
+    const auto irradiance = [&](int exponent) {
+        const float s = std::ldexp(1.0f, exponent);
+        Spotlight description = lightAbove();
+        description.position *= s;
+        description.flux = std::ldexp(description.flux, 2 * exponent);
+        Camera camera;
+        camera.eye = glm::vec3(1.0f, 1.5f, 2.0f) * s;
+        Mesh mesh;
+        mesh.positions = {world * s, glm::vec3(s, 0, 0), glm::vec3(0, 0, s)};
+        mesh.triangles = {{0, 1, 2}};
+        const GridFrame frame = makeFrameGeometry(mesh, camera, ViewMode::full).frame;
+        return sampleSpotlight(makeGridSpotlight(description, frame), frame.toGrid(world * s))
+            .irradiance;
+    };
+    for (int exponent : {-110, -83, -40, -1, 1, 40, 83, 110})
+        EXPECT_EQ(irradiance(exponent), irradiance(0)) << exponent;
+}
+
+/// The squares of these distances are no floats.
+TEST(Spotlight, ShinesFromAsFarAndAsNearAsFloatTells) {
+    const double intensity = 100.0 / (2.0 * kPi * (1.0 - std::cos(kPi / 4.0)));
+    for (int exponent : {-100, -70, -20, 20, 70, 120}) {
+        const float distance = std::ldexp(1.0f, exponent);
+        Spotlight description = lightAbove();
+        description.position = {0, distance, 0};
+        description.target = glm::vec3(0.0f);
+        const double nearest = std::max((double) distance, 0x1p-63); // kNearestToLight
+        description.flux = roundedFlux(description.flux * nearest * nearest);
+        const GridSpotlight light = makeGridSpotlight(description, GridFrame{});
+        const LightSample sample = sampleSpotlight(light, glm::vec3(0.0f));
+        EXPECT_NEAR(sample.irradiance.x / intensity, 1.0, kRounding) << exponent;
+        EXPECT_EQ(sample.direction, glm::vec3(0, 1, 0));
+    }
+}
+
+/// What no float holds is a bound, and never a NaN.
+TEST(Spotlight, IrradianceIsBounded) {
+    for (double flux : {1e-300, 1e300, std::numeric_limits<double>::max()})
+        for (float distance : {1e-38f, 1e-20f, 1.0f, 1e20f, 3e38f})
+            for (glm::vec3 color : {glm::vec3(0, 1, FLT_MAX), glm::vec3(0.0f)}) {
+                Spotlight description = lightAbove();
+                description.position = {0, distance, 0};
+                description.color = color;
+                description.flux = flux;
+                const GridSpotlight light = makeGridSpotlight(description, GridFrame{});
+                for (float x : {0.0f, 1e-30f, 1.0f, 1e30f}) { // in and outside its cone
+                    const glm::vec3 found = sampleSpotlight(light, {x, 0, 0}).irradiance;
+                    for (int c = 0; c < 3; ++c) {
+                        EXPECT_GE(found[c], 0.0f) << flux << " " << distance << " " << x;
+                        EXPECT_LE(found[c], kMostRadiance) << flux << " " << distance << " " << x;
+                    }
+                }
+            }
 }
 
 TEST(CameraRays, BothModesLookTheSame) {
