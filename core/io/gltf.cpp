@@ -19,8 +19,8 @@ GltfFile readGltf(const std::filesystem::path& file, LoadReport& report, MemoryC
     GltfFile gltf;
     gltf.file = file;
     gltf.images = gltfImages(data, memory);
-    gltf.surfaces = gltfSurfaces(data, gltf.images.size(), ignored);
     FaultCounter faults;
+    gltf.surfaces = gltfSurfaces(data, gltf.images.size(), ignored, faults);
     for (const JsonValue& mesh : data.root().objects("meshes"))
         gltf.meshes.push_back(gltfPrimitives(data, mesh, gltf.surfaces, ignored, faults, memory));
     placeGltfNodes(data, gltf, ignored, memory);

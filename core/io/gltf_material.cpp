@@ -1,12 +1,15 @@
 #include "core/io/gltf_material.h"
 
 #include "core/io/find_file.h"
-#include "core/io/number.h"
+#include "shaders/shared/radiance.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <memory>
+
+#include <glm/common.hpp>
 
 namespace dirt {
 
@@ -24,8 +27,8 @@ glm::vec3 colour(const JsonValue& owner, const char* name, size_t components, gl
 
 class SurfaceReader {
 public:
-    SurfaceReader(const GltfData& data, size_t images, GltfIgnored& ignored)
-        : ignored_(ignored), textures_(data, images, ignored) {}
+    SurfaceReader(const GltfData& data, size_t images, GltfIgnored& ignored, FaultCounter& faults)
+        : ignored_(ignored), faults_(faults), textures_(data, images, ignored) {}
 
     GltfFile::Surface read(const JsonValue& source) {
         GltfFile::Surface surface;
@@ -55,10 +58,25 @@ private:
         return extensions ? extensions->object(name) : std::nullopt;
     }
 
+    /// Takes components above \p most for it.
+    void confine(const JsonValue& owner, const char* name, glm::vec3& colour, float most) {
+        const float largest = std::max({colour.x, colour.y, colour.z});
+        if (largest <= most) return;
+        const auto message = [&] {
+            char text[96];
+            std::snprintf(text, sizeof text, " has a %s of %g, taken for %g", name,
+                          (double) largest, (double) most);
+            return owner.place() + text;
+        };
+        faults_.add(WarningKind::unusableValue, name, 0, message);
+        colour = glm::min(colour, most);
+    }
+
     /// Returns the base colour's alpha.
     float metallicRoughness(const JsonValue& pbr, GltfFile::Surface& surface,
                             std::optional<uint64_t>& set) {
         surface.material.diffuse = colour(pbr, "baseColorFactor", 4, glm::vec3(1.0f));
+        confine(pbr, "baseColorFactor", surface.material.diffuse, 1.0f);
         surface.metallic = (float) pbr.number("metallicFactor", 0.0, 1.0).value_or(1.0);
         surface.roughness = (float) pbr.number("roughnessFactor", 0.0, 1.0).value_or(1.0);
         surface.colour = textures_.use(pbr, "baseColorTexture", set);
@@ -97,7 +115,7 @@ private:
         emission = colour(source, "emissiveFactor", 3, glm::vec3(0.0f));
         if (const auto strength = extension(source, "KHR_materials_emissive_strength"))
             emission *= (float) strength->number("emissiveStrength", 0.0, 1e30).value_or(1.0);
-        if (!fitsFloat(glm::dvec3(emission))) source.fail("shines beyond float32");
+        confine(source, "radiance", emission, kMostRadiance);
         surface.emission = textures_.use(source, "emissiveTexture", set);
     }
 
@@ -142,6 +160,7 @@ private:
     }
 
     GltfIgnored& ignored_;
+    FaultCounter& faults_;
     GltfTextures textures_;
 };
 
@@ -175,9 +194,9 @@ std::vector<GltfFile::Image> gltfImages(const GltfData& data, MemoryClaim& memor
 }
 
 std::vector<GltfFile::Surface> gltfSurfaces(const GltfData& data, size_t images,
-                                            GltfIgnored& ignored) {
+                                            GltfIgnored& ignored, FaultCounter& faults) {
     std::vector<GltfFile::Surface> surfaces;
-    SurfaceReader reader(data, images, ignored);
+    SurfaceReader reader(data, images, ignored, faults);
     for (const JsonValue& source : data.root().objects("materials"))
         surfaces.push_back(reader.read(source));
     return surfaces;

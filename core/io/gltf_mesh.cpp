@@ -24,8 +24,9 @@ std::vector<Vector> vectors(const std::vector<float>& values) {
 class PrimitiveReader {
 public:
     PrimitiveReader(const GltfData& data, const JsonValue& source,
-                    std::span<const GltfFile::Surface> surfaces, GltfIgnored& ignored)
-        : data_(data), source_(source), surfaces_(surfaces), ignored_(ignored),
+                    std::span<const GltfFile::Surface> surfaces, GltfIgnored& ignored,
+                    FaultCounter& faults)
+        : data_(data), source_(source), surfaces_(surfaces), ignored_(ignored), faults_(faults),
           attributes_(source.required("attributes")) {}
 
     GltfFile::Primitive read(uint64_t mode) {
@@ -94,6 +95,7 @@ private:
             for (int k = 0; k < 3; ++k) {
                 const float value = all[i * components + (size_t) k];
                 colors[i][k] = value >= 0.0f ? std::min(value, 1.0f) : 0.0f; // NaN, too
+                if (colors[i][k] != value) notAColor(i);
             }
         if (components == 4)
             for (size_t i = 3; i < all.size(); i += 4)
@@ -102,6 +104,13 @@ private:
                     break;
                 }
         return colors;
+    }
+
+    void notAColor(size_t vertex) const {
+        faults_.add(WarningKind::unusableAttribute, "color", 0, [&] {
+            return source_.place() + " has color " + std::to_string(vertex) +
+                   ", which is not from 0 to 1: the nearest is taken, for a NaN 0";
+        });
     }
 
     /// An attribute's values, one after the other; none where the primitive has not got it.
@@ -143,6 +152,7 @@ private:
     const JsonValue& source_;
     std::span<const GltfFile::Surface> surfaces_;
     GltfIgnored& ignored_;
+    FaultCounter& faults_;
     JsonValue attributes_;
     std::optional<DracoMesh> draco_;
 };
@@ -172,7 +182,7 @@ std::vector<GltfFile::Primitive> gltfPrimitives(const GltfData& data, const Json
             ignored.add(mode == 0 ? "primitive of points" : "primitive of lines");
             continue;
         }
-        list.push_back(PrimitiveReader(data, source, surfaces, ignored).read(mode));
+        list.push_back(PrimitiveReader(data, source, surfaces, ignored, faults).read(mode));
         memory.take(bytesOf(list.back()), data.file(), source.place());
         checkVertices(list.back(), source, faults);
     }

@@ -36,7 +36,7 @@ private:
         const GltfTextureUse& colour = surface_.colour;
         if (!colour.isThere()) return;
         if (!surface_.unlit) {
-            material_.diffuseMap = textures_.colour(sourceOf(colour), colour.sampling);
+            material_.diffuseMap = textures_.reflectance(sourceOf(colour), colour.sampling);
             material_.diffuseMapFactor = material_.diffuse;
         }
         if (surface_.alphaLimit > 0.0f)
@@ -52,10 +52,10 @@ private:
         material_.metallic = surface_.metallic;
         if (both.isThere()) {
             material_.roughnessMap =
-                textures_.data(sourceOf(both), both.sampling, ImageChannel::green);
+                textures_.part(sourceOf(both), both.sampling, ImageChannel::green);
             if (surface_.metallic > 0.0f)
                 material_.metallicMap =
-                    textures_.data(sourceOf(both), both.sampling, ImageChannel::blue);
+                    textures_.part(sourceOf(both), both.sampling, ImageChannel::blue);
         }
         material_.reflectance = surface_.dielectric;
         if (material_.metallicMap == kNoTexture)
@@ -63,7 +63,7 @@ private:
         const GltfTextureUse& scaled = surface_.reflectance;
         if (scaled.isThere())
             material_.reflectanceMap =
-                textures_.data(sourceOf(scaled), scaled.sampling, ImageChannel::alpha);
+                textures_.part(sourceOf(scaled), scaled.sampling, ImageChannel::alpha);
     }
 
     const GltfFile& gltf_;

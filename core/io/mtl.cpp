@@ -4,8 +4,11 @@
 #include "core/io/mtl_map_options.h"
 #include "core/io/number.h"
 #include "core/io/text_file.h"
+#include "shaders/shared/radiance.h"
 
 #include <algorithm>
+#include <cfloat>
+#include <cstdio>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -14,14 +17,16 @@ namespace dirt {
 
 namespace {
 
+/// Larger components are taken for `most`.
 struct ColourKey {
     std::string_view name;
     std::optional<glm::vec3> MtlMaterial::*value;
+    float most;
 };
-constexpr ColourKey kColours[] = {{"Ka", &MtlMaterial::ambient},
-                                  {"Kd", &MtlMaterial::diffuse},
-                                  {"Ks", &MtlMaterial::specular},
-                                  {"Ke", &MtlMaterial::emission}};
+constexpr ColourKey kColours[] = {{"Ka", &MtlMaterial::ambient, FLT_MAX},
+                                  {"Kd", &MtlMaterial::diffuse, 1.0f},
+                                  {"Ks", &MtlMaterial::specular, FLT_MAX},
+                                  {"Ke", &MtlMaterial::emission, kMostRadiance}};
 
 struct NumberKey {
     std::string_view name;
@@ -168,7 +173,21 @@ private:
         if (count != 1 && count != 3)
             return fault(key.name, std::string(key.name) + " needs three numbers");
         if (count == 1) values.fill(values[0]);
+        confine(key, values);
         result_.materials.back().*key.value = glm::vec3(values[0], values[1], values[2]);
+    }
+
+    void confine(const ColourKey& key, std::array<float, 3>& values) {
+        const float largest = *std::max_element(values.begin(), values.end());
+        if (largest <= key.most) return;
+        const auto message = [&] {
+            char text[96];
+            std::snprintf(text, sizeof text, "%s %g is above %g, and taken for it", key.name.data(),
+                          (double) largest, (double) key.most);
+            return std::string(text);
+        };
+        faults_.add(WarningKind::unusableValue, std::string(key.name) + " above", line_, message);
+        for (float& value : values) value = std::min(value, key.most);
     }
 
     /// A whole number; some files write it as 2.0.

@@ -29,7 +29,7 @@ public:
           report_(report), material_(material) {}
 
     void add() {
-        material_.diffuseMap = colour(MtlUse::diffuse);
+        material_.diffuseMap = reflectance();
         // Kd says nothing of what the texture would have shown; often it is black.
         if (names(MtlUse::diffuse) && material_.diffuseMap == kNoTexture)
             material_.diffuse = Material().diffuse;
@@ -38,7 +38,7 @@ public:
         if (isWavefront_)
             gloss();
         else
-            material_.reflectanceMap = data(MtlUse::specular);
+            material_.reflectanceMap = part(MtlUse::specular);
         relief();
         material_.opacityMap = opacity();
     }
@@ -77,11 +77,26 @@ private:
         }
     }
 
+    static TexelEncoding encodingOf(const MtlMap& map) {
+        return map.isLinear ? TexelEncoding::linear : TexelEncoding::srgb;
+    }
+
+    uint32_t reflectance() {
+        const MtlMap& map = source_.map(MtlUse::diffuse);
+        if (map.file.empty()) return kNoTexture;
+        return textures_.reflectance(sourceOf(map), samplingOf(map), encodingOf(map));
+    }
+
     uint32_t colour(MtlUse use) {
         const MtlMap& map = source_.map(use);
         if (map.file.empty()) return kNoTexture;
-        return textures_.colour(sourceOf(map), samplingOf(map),
-                                map.isLinear ? TexelEncoding::linear : TexelEncoding::srgb);
+        return textures_.colour(sourceOf(map), samplingOf(map), encodingOf(map));
+    }
+
+    uint32_t part(MtlUse use) {
+        const MtlMap& map = source_.map(use);
+        if (map.file.empty()) return kNoTexture;
+        return textures_.part(sourceOf(map), samplingOf(map), channelOf(map));
     }
 
     uint32_t data(MtlUse use) {
@@ -132,7 +147,7 @@ private:
     /// Reflectance, metallic and roughness in wavefront.
     void gloss() {
         const uint32_t roughness =
-            data(names(MtlUse::roughness) ? MtlUse::roughness : MtlUse::exponent);
+            part(names(MtlUse::roughness) ? MtlUse::roughness : MtlUse::exponent);
         if (names(MtlUse::roughness) && names(MtlUse::exponent))
             report_.ignore("MTL map_Ns beside map_Pr");
         if (roughness != kNoTexture) material_.roughness = 1.0f;
@@ -141,8 +156,8 @@ private:
         // A metal's reflectance is Kd, whatever Ks is.
         const bool isMetal = material_.metallic > 0.0f && !names(MtlUse::metalness);
         if (isMetal && names(MtlUse::specular)) report_.ignore("MTL map_Ks of a metal");
-        const uint32_t specular = isMetal ? kNoTexture : data(MtlUse::specular);
-        const uint32_t metalness = data(MtlUse::metalness);
+        const uint32_t specular = isMetal ? kNoTexture : part(MtlUse::specular);
+        const uint32_t metalness = part(MtlUse::metalness);
         if (metalness == kNoTexture && (specular == kNoTexture || material_.metallic > 0.0f))
             return;
         material_.reflectanceMap = specular;

@@ -4,10 +4,12 @@
 #include "core/io/load_report.h"
 #include "core/io/text_file.h"
 #include "core/scene/srgb.h"
+#include "shaders/shared/radiance.h"
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -83,12 +85,30 @@ struct DecodedImage::Pixels {
         return texels;
     }
 
-    std::vector<float> finiteColours() {
-        auto texels = colours<float>();
-        for (const float value : texels)
-            if (!(std::abs(value) <= FLT_MAX))
-                failAt(name, 0, "damaged image: a texel is not finite");
+    /// Takes numbers beyond two ends for the nearer end, and a NaN for 0, and says so in `fault`.
+    std::vector<float> confined(std::vector<float> texels, float least, float most) {
+        size_t count = 0;
+        for (float& value : texels) {
+            if (value >= least && value <= most) continue;
+            value = std::isnan(value) ? 0.0f : std::clamp(value, least, most);
+            ++count;
+        }
+        if (count == 0) return texels;
+        char text[160];
+        if (least < 0.0f)
+            std::snprintf(text, sizeof text,
+                          "%zu numbers are not finite: a NaN is taken for 0, an infinity for %g",
+                          count, (double) most);
+        else
+            std::snprintf(text, sizeof text,
+                          "%zu numbers are not from 0 to %g: the nearest is taken, for a NaN 0",
+                          count, (double) most);
+        fault = text;
         return texels;
+    }
+
+    std::vector<float> finite(std::vector<float> texels) {
+        return confined(std::move(texels), -FLT_MAX, FLT_MAX);
     }
 
     template <typename Channel>
@@ -105,11 +125,7 @@ struct DecodedImage::Pixels {
     ScalarTexture scalars(int channel) {
         if (spec.format == OIIO::TypeDesc::UINT8)
             return ScalarTexture(name.string(), spec.width, spec.height, one<uint8_t>(channel));
-        auto texels = one<float>(channel);
-        for (const float value : texels)
-            if (!(std::abs(value) <= FLT_MAX))
-                failAt(name, 0, "damaged image: a texel is not finite");
-        return ScalarTexture(name.string(), spec.width, spec.height, std::move(texels));
+        return ScalarTexture(name.string(), spec.width, spec.height, finite(one<float>(channel)));
     }
 
     MemoryClaim memory;
@@ -117,12 +133,17 @@ struct DecodedImage::Pixels {
     const std::filesystem::path& name;
     const OIIO::ImageSpec& spec;
     std::tuple<std::vector<uint8_t>, std::vector<float>> decoded;
+    std::string fault; ///< of what was read last
 };
 
 DecodedImage::DecodedImage(const ImageFile& file, const MemoryBudget& budget)
     : pixels_(std::make_unique<Pixels>(file, budget)) {}
 
 DecodedImage::~DecodedImage() = default;
+
+std::string DecodedImage::takeFault() const {
+    return std::exchange(pixels_->fault, {});
+}
 
 Texture readTexture(const DecodedImage& image) {
     DecodedImage::Pixels& pixels = image.pixels();
@@ -133,10 +154,7 @@ Texture readTexture(const DecodedImage& image) {
     auto texels = pixels.colours<float>();
     if (!isFloat(pixels.spec.format)) // of more bits than a byte's curve keeps
         for (float& value : texels) value = (float) decodeSrgb(value);
-    for (const float value : texels)
-        if (!(value >= 0.0f && value <= FLT_MAX))
-            failAt(pixels.name, 0, "damaged image: a texel is negative or not finite");
-    return Texture(name, width, height, std::move(texels));
+    return Texture(name, width, height, pixels.confined(std::move(texels), 0.0f, kMostRadiance));
 }
 
 Texture readDataTexture(const DecodedImage& image) {
@@ -145,7 +163,7 @@ Texture readDataTexture(const DecodedImage& image) {
     const int width = pixels.spec.width, height = pixels.spec.height;
     if (pixels.spec.format == OIIO::TypeDesc::UINT8)
         return Texture(name, width, height, pixels.colours<uint8_t>(), TexelEncoding::linear);
-    return Texture(name, width, height, pixels.finiteColours());
+    return Texture(name, width, height, pixels.finite(pixels.colours<float>()));
 }
 
 namespace {
@@ -196,7 +214,7 @@ ScalarTexture readScalarTexture(const DecodedImage& image, ImageChannel channel)
         const glm::vec3 weights = channel == ImageChannel::mean
                                       ? glm::vec3(1.0f / 3.0f)
                                       : glm::vec3(0.2126f, 0.7152f, 0.0722f);
-        const auto colours = pixels.finiteColours();
+        const auto colours = pixels.finite(pixels.colours<float>());
         std::vector<float> texels(colours.size() / 3);
         for (size_t i = 0; i < texels.size(); ++i)
             texels[i] = std::clamp(colours[3 * i] * weights.x + colours[3 * i + 1] * weights.y +

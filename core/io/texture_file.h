@@ -37,6 +37,9 @@ public:
     explicit DecodedImage(const ImageFile& file, const MemoryBudget& budget = {});
     ~DecodedImage();
 
+    /// Which numbers of what was read last had to be taken for others; empty: none. Once.
+    std::string takeFault() const;
+
     struct Pixels;
     Pixels& pixels() const { return *pixels_; }
 
@@ -45,13 +48,13 @@ private:
 };
 
 /// An image as a colour texture: integer formats as sRGB with 8 bits, float formats as they are.
-/// One channel is grey; alpha is dropped and does not scale the colour. Throws InputError where a
-/// float texel is negative or not finite, too.
+/// One channel is grey; alpha is dropped and does not scale the colour. A float is taken for the
+/// nearest from 0 to kMostRadiance, a NaN for 0 (takeFault).
 Texture readTexture(const DecodedImage& image);
 
 /// Three channels of an image as data: 8-bit formats as linear bytes, others as floats, integers
-/// from 0 to 1. One channel is all three. Throws InputError as readTexture does; a float texel may
-/// be negative.
+/// from 0 to 1. One channel is all three. Floats may be negative; an infinite one is taken for the
+/// nearest that is finite, a NaN for 0 (takeFault).
 Texture readDataTexture(const DecodedImage& image);
 
 /// What of an image makes data of one channel. In an image of grey, red, green and blue are its
@@ -60,7 +63,7 @@ Texture readDataTexture(const DecodedImage& image);
 enum class ImageChannel { red, green, blue, alpha, luminance, mean };
 
 /// One channel of an image as data: 8-bit formats as 0 to 1 (luminance and mean as floats), others
-/// as floats. Throws InputError as readDataTexture does.
+/// as floats. What is not finite is taken for what readDataTexture takes it for.
 ScalarTexture readScalarTexture(const DecodedImage& image,
                                 ImageChannel channel = ImageChannel::red);
 

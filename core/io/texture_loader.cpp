@@ -58,17 +58,18 @@ std::vector<TextureLoader::Result> TextureLoader::read(const ImageFile& file,
         const DecodedImage image(file, budget_);
         for (size_t i = 0; i < reads.size(); ++i) {
             try {
-                results[i] = reads[i](image);
+                results[i].value = reads[i](image);
+                results[i].fault = image.takeFault();
             } catch (const MemoryError&) {
                 throw;
             } catch (const InputError& error) {
-                results[i] = std::string(error.what());
+                results[i].value = std::string(error.what());
             }
         }
     } catch (const MemoryError&) {
         throw;
     } catch (const InputError& error) {
-        results.assign(reads.size(), std::string(error.what()));
+        results.assign(reads.size(), {std::string(error.what()), {}});
     }
     return results;
 }
@@ -93,17 +94,19 @@ const TextureLoader::Result& TextureLoader::load(const Key& key, const Source& s
         return result;
     }
     const std::string name = "texture " + inQuotes(source.label);
-    const auto warn = [&](const std::string& text) {
-        report_.warn(WarningKind::unusableTexture, source.namedBy, source.line, name + text);
+    const auto warn = [&](WarningKind kind, const std::string& text) {
+        report_.warn(kind, source.namedBy, source.line, name + text);
     };
     if (!source.image) {
-        warn(" not found");
+        warn(WarningKind::unusableTexture, " not found");
         return result;
     }
     const auto ahead = ahead_.extract(key);
     result =
         ahead ? std::move(ahead.mapped()) : std::move(this->read(*source.image, {&read, 1})[0]);
-    if (const auto* error = std::get_if<std::string>(&result)) warn(": " + *error);
+    if (const auto* error = std::get_if<std::string>(&result.value))
+        warn(WarningKind::unusableTexture, ": " + *error);
+    if (!result.fault.empty()) warn(WarningKind::unusableValue, ": " + result.fault);
     return result;
 }
 
@@ -112,7 +115,7 @@ uint32_t TextureLoader::place(const Source& source, const std::string& what,
                               const TextureSampling& sampling, std::vector<T>& textures,
                               const Read& read) {
     const Key key = keyOf(source, what);
-    const auto* const texture = std::get_if<T>(&load(key, source, read));
+    const auto* const texture = std::get_if<T>(&load(key, source, read).value);
     if (!texture) return kNoTexture;
     const auto [entry, isNew] =
         places_.try_emplace({key, exactText(sampling)}, (uint32_t) textures.size());
@@ -136,10 +139,40 @@ uint32_t TextureLoader::data(const Source& source, const TextureSampling& sampli
         [channel](const DecodedImage& image) { return readScalarTexture(image, channel); });
 }
 
+void TextureLoader::warnBeyondUnit(const Source& source, const TexelRange& range,
+                                   const void* texels) {
+    if (range.least >= 0.0f && range.largest <= 1.0f) return;
+    if (!beyondUnit_.insert(texels).second) return;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  ": has numbers from %g to %g: those below 0 are taken for 0, those above 1 for 1",
+                  (double) range.least, (double) range.largest);
+    report_.warn(WarningKind::unusableValue, source.namedBy, source.line,
+                 "texture " + inQuotes(source.label) + text);
+}
+
+uint32_t TextureLoader::reflectance(const Source& source, const TextureSampling& sampling,
+                                    TexelEncoding encoding) {
+    const uint32_t index = colour(source, sampling, encoding);
+    if (index == kNoTexture) return index;
+    const Texture& texture = scene_.textures[index];
+    warnBeyondUnit(source, texture.range(), texture.identity());
+    return index;
+}
+
+uint32_t TextureLoader::part(const Source& source, const TextureSampling& sampling,
+                             ImageChannel channel) {
+    const uint32_t index = data(source, sampling, channel);
+    if (index == kNoTexture) return index;
+    const ScalarTexture& texture = scene_.scalarTextures[index];
+    warnBeyondUnit(source, texture.range(), texture.identity());
+    return index;
+}
+
 TextureLoader::Relief TextureLoader::relief(const Source& source, const TextureSampling& sampling,
                                             ImageChannel channel) {
     const std::string what = "relief " + std::to_string((int) channel);
-    const Read read = [channel](const DecodedImage& image) -> Result {
+    const Read read = [channel](const DecodedImage& image) -> Value {
         if (isNormalMap(image)) return readDataTexture(image);
         return readScalarTexture(image, channel);
     };
@@ -148,13 +181,13 @@ TextureLoader::Relief TextureLoader::relief(const Source& source, const TextureS
 }
 
 uint32_t TextureLoader::alpha(const Source& source, float limit, const TextureSampling& sampling) {
-    const Read read = [](const DecodedImage& image) -> Result {
+    const Read read = [](const DecodedImage& image) -> Value {
         auto alpha = readAlpha(image);
         if (!alpha) return {};
         return std::move(*alpha);
     };
     const Result& loaded = load(keyOf(source, "alpha"), source, read);
-    const auto* const alpha = std::get_if<ScalarTexture>(&loaded);
+    const auto* const alpha = std::get_if<ScalarTexture>(&loaded.value);
     if (!alpha || !cutsOut(*alpha, limit)) return kNoTexture;
     return place(source, "alpha", sampling, scene_.scalarTextures, read);
 }

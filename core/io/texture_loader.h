@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -50,9 +51,15 @@ public:
     /// where they are linear, its first three channels as data (see readDataTexture).
     uint32_t colour(const Source& source, const TextureSampling& sampling = {},
                     TexelEncoding encoding = TexelEncoding::srgb);
+    /// The same of what is taken for the nearest from 0 to 1, of which it warns: what a surface
+    /// reflects.
+    uint32_t reflectance(const Source& source, const TextureSampling& sampling,
+                         TexelEncoding encoding = TexelEncoding::srgb);
     /// In Scene::scalarTextures: one channel of the image.
     uint32_t data(const Source& source, const TextureSampling& sampling = {},
                   ImageChannel channel = ImageChannel::red);
+    /// The same of what is taken for the nearest from 0 to 1: roughness, metal, reflectance.
+    uint32_t part(const Source& source, const TextureSampling& sampling, ImageChannel channel);
     /// What an image holds of a relief; the other is kNoTexture.
     struct Relief {
         uint32_t heights; ///< in Scene::scalarTextures: one channel
@@ -64,8 +71,12 @@ public:
 
 private:
     /// Nothing: the image has no such part. A text: why it could not be read.
-    using Result = std::variant<std::monostate, Texture, ScalarTexture, std::string>;
-    using Read = std::function<Result(const DecodedImage&)>;
+    using Value = std::variant<std::monostate, Texture, ScalarTexture, std::string>;
+    struct Result {
+        Value value;
+        std::string fault; ///< which numbers were taken for others; empty: none
+    };
+    using Read = std::function<Value(const DecodedImage&)>;
 
     /// What tells images apart, and what is read of one: a path, a label where there is none, or
     /// of one that is embedded its size and a hash of its bytes, as several may be the same.
@@ -78,6 +89,7 @@ private:
 
     static Key keyOf(const Source& source, const std::string& what);
     std::vector<Result> read(const ImageFile& image, std::span<const Read> reads) const;
+    void warnBeyondUnit(const Source& source, const TexelRange& range, const void* texels);
     const Result& load(const Key& key, const Source& source, const Read& read);
     template <typename T>
     uint32_t place(const Source& source, const std::string& what, const TextureSampling& sampling,
@@ -88,6 +100,7 @@ private:
     MemoryBudget budget_;
     std::map<Key, Result> loaded_;
     std::map<std::pair<Key, std::string>, uint32_t> places_; ///< also by sampling
+    std::set<const void*> beyondUnit_;                       ///< texels that were warned of
     bool announcing_ = false;
     std::vector<Announced> announced_;
     std::map<Key, Result> ahead_;

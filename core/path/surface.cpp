@@ -80,6 +80,8 @@ SurfacePoint fetchSurface(const Scene& scene, const FrameGeometry& geometry, glm
     }
     if (!mesh.colors.empty())
         point.diffuse *= interpolateAt(mesh.colors, mesh.triangles[primitive], u, v);
+    point.diffuse = boundedReflectance(point.diffuse);
+    point.emission = boundedEmission(point.emission);
     if (material.metallicMap != kNoTexture) reflectance = metalReflectance(reflectance, metallic);
     if (reflectance > 0.0f) {
         point.roughness = roughness;

@@ -19,6 +19,7 @@ ScalarTexture::ScalarTexture(std::string file, int width, int height, std::vecto
     const auto shared = std::make_shared<const std::vector<float>>(std::move(texels));
     texels_ = shared;
     floats_ = *shared;
+    if (!floats_.empty()) range_ = TexelRange(floats_);
 }
 
 ScalarTexture ScalarTexture::with(const TextureSampling& sampling) const {

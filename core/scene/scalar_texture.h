@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene/texel_range.h"
 #include "core/scene/texture_sampling.h"
 
 #include <cstdint>
@@ -35,6 +36,7 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
     const TextureSampling& sampling() const { return sampling_; }
+    const TexelRange& range() const { return range_; }
     /// Of the texels, whoever shares them.
     size_t bytes() const { return bytes_.size_bytes() + floats_.size_bytes(); }
     /// The same of textures that share their texels, and of no others.
@@ -49,6 +51,7 @@ private:
     int width_ = 0;
     int height_ = 0;
     TextureSampling sampling_;
+    TexelRange range_;
     std::shared_ptr<const void> texels_; ///< keeps what the spans show
     std::span<const uint8_t> bytes_;
     std::span<const float> floats_;

@@ -43,6 +43,7 @@ Texture::Texture(std::string file, int width, int height, std::vector<float> tex
     const auto shared = std::make_shared<const std::vector<float>>(std::move(texels));
     texels_ = shared;
     floats_ = *shared;
+    if (!floats_.empty()) range_ = TexelRange(floats_);
 }
 
 Texture Texture::with(const TextureSampling& sampling) const {

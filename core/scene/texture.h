@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene/texel_range.h"
 #include "core/scene/texture_sampling.h"
 
 #include <array>
@@ -47,6 +48,7 @@ public:
     std::span<const float> linearTexels() const { return floats_; }
     /// The linear value of each byte.
     static const std::array<float, 256>& decodedBytes(TexelEncoding encoding);
+    const TexelRange& range() const { return range_; }
     /// Of the texels, whoever shares them.
     size_t bytes() const { return bytes_.size_bytes() + floats_.size_bytes(); }
     /// The same of textures that share their texels, and of no others.
@@ -60,6 +62,7 @@ private:
     int height_ = 0;
     TexelEncoding encoding_ = TexelEncoding::srgb;
     TextureSampling sampling_;
+    TexelRange range_;
     std::shared_ptr<const void> texels_; ///< keeps what the spans show
     std::span<const uint8_t> bytes_;
     std::span<const float> floats_;

@@ -165,6 +165,8 @@ SurfacePoint surfaceAt(Attributes attributes, uint primitive, float u, float v, 
         interpolate(attributes.colors[0], attributes.colors[1], attributes.colors[2], u, v);
     point.diffuse = coloured;
 #endif
+    point.diffuse = boundedReflectance(point.diffuse);
+    point.emission = boundedEmission(point.emission);
 #if DIRT_METALLIC_MAPS
     if (parts[5].z != kNoTexture) reflectance = metalReflectance(reflectance, metallic);
 #endif

@@ -2,6 +2,7 @@
 #ifndef DIRT_SHARED_SURFACE_H
 #define DIRT_SHARED_SURFACE_H
 
+#include "shaders/shared/radiance.h"
 #include "shaders/shared/sampling.h"
 
 DIRT_SHARED_BEGIN
@@ -54,6 +55,13 @@ DIRT_FUNCTION vec3 directionOf(vec3 v) {
     return unitVector(scaled);
 }
 
+/// \p x of at most 2^20, of which steeper slopes cannot be told; a NaN for that as well. What is
+/// beyond would leave the rest of a unit vector below normal floats, which not every device has.
+DIRT_FUNCTION float boundedSlope(float x) {
+    const float steepest = 1048576.0f;
+    return x > -steepest ? (x < steepest ? x : steepest) : -steepest;
+}
+
 /// The unit vector \p normal of a triangle with edges \p e and \p f, turned as J. Blinn has it by
 /// heights that grow by \p slopes along the texture's u and v, per length along the surface;
 /// \p de and \p df are the texture coordinates' differences along the edges.
@@ -65,8 +73,8 @@ DIRT_FUNCTION vec3 bumpedNormal(vec3 normal, vec3 e, vec3 f, vec2 de, vec2 df, v
     DIRT_PRECISE vec3 alongV = (f * de.x - e * df.x) * side;
     DIRT_PRECISE vec3 inPlaneU = alongU - normal * dotProduct(normal, alongU);
     DIRT_PRECISE vec3 inPlaneV = alongV - normal * dotProduct(normal, alongV);
-    DIRT_PRECISE vec3 turned =
-        normal - directionOf(inPlaneU) * slopes.x - directionOf(inPlaneV) * slopes.y;
+    DIRT_PRECISE vec3 turned = normal - directionOf(inPlaneU) * boundedSlope(slopes.x) -
+                               directionOf(inPlaneV) * boundedSlope(slopes.y);
     return directionOf(turned);
 }
 
@@ -75,7 +83,7 @@ DIRT_FUNCTION vec3 bumpedNormal(vec3 normal, vec3 e, vec3 f, vec2 de, vec2 df, v
 DIRT_FUNCTION vec3 normalOfTexel(vec3 texel, float scale) {
     DIRT_PRECISE vec3 decoded = 2.0f * texel - 1.0f;
     DIRT_PRECISE vec3 scaled = vec3(decoded.x * scale, decoded.y * scale, decoded.z);
-    return scaled;
+    return vec3(boundedSlope(scaled.x), boundedSlope(scaled.y), boundedSlope(scaled.z));
 }
 
 /// The unit vector \p normal of a triangle as for bumpedNormal, replaced by \p local, which is in a
@@ -101,9 +109,22 @@ DIRT_FUNCTION float withinUnit(float x) {
     return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
 }
 
+/// What a surface reflects diffusely: what is above 1 would be more than it receives.
+DIRT_FUNCTION vec3 boundedReflectance(vec3 diffuse) {
+    return vec3(withinUnit(diffuse.x), withinUnit(diffuse.y), withinUnit(diffuse.z));
+}
+
+/// What it emits.
+DIRT_FUNCTION vec3 boundedEmission(vec3 radiance) {
+    return vec3(radiance.x > 0.0f ? boundedRadiance(radiance.x) : 0.0f,
+                radiance.y > 0.0f ? boundedRadiance(radiance.y) : 0.0f,
+                radiance.z > 0.0f ? boundedRadiance(radiance.z) : 0.0f);
+}
+
 /// A roughness times what a roughness map has there: the distribution's width grows by its square.
 DIRT_FUNCTION float mappedRoughness(float roughness, float texel) {
-    DIRT_PRECISE float mapped = roughness * (texel * texel);
+    float root = texel > 0.0f ? texel : 0.0f;
+    DIRT_PRECISE float mapped = roughness * (root * root);
     return withinUnit(mapped);
 }
 

@@ -1,5 +1,6 @@
 // Materials of glTF files: samplers, transforms, normal maps, colours of vertices, extensions.
 
+#include "shaders/shared/radiance.h"
 #include "tests/io/gltf_fixture.h"
 
 #include <numbers>
@@ -40,6 +41,21 @@ protected:
         return load(writer);
     }
 };
+
+TEST_F(GltfMaterial, TakesMoreThanAllLightForAllOfIt) {
+    const LoadedScene loaded = material(
+        R"({"pbrMetallicRoughness": {"baseColorFactor": [2, 0.5, 1, 1]}, "emissiveFactor": [1, 0, 0],
+            "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 1e30}}})");
+    EXPECT_EQ(loaded.scene.materials[0].diffuse, glm::vec3(1, 0.5f, 1));
+    EXPECT_EQ(loaded.scene.materials[0].emission, glm::vec3(kMostRadiance, 0, 0));
+    ASSERT_EQ(loaded.warnings.size(), 2u);
+    EXPECT_NE(loaded.warnings[0].text.find("has a baseColorFactor of 2, taken for 1"),
+              std::string::npos)
+        << loaded.warnings[0].text;
+    EXPECT_NE(loaded.warnings[1].text.find("materials[0] has a radiance of 1e+30, taken for 7.92"),
+              std::string::npos)
+        << loaded.warnings[1].text;
+}
 
 TEST_F(GltfMaterial, SamplersRepeatMirrorAndClamp) {
     GltfWriter writer = mapped();

@@ -1,6 +1,7 @@
 // MTL files as they are written. What their materials mean is in mtl_material_test.cpp.
 
 #include "core/io/mtl.h"
+#include "shaders/shared/radiance.h"
 #include "tests/io/input_error.h"
 #include "tests/support/temporary_folder.h"
 
@@ -171,6 +172,17 @@ TEST_F(Mtl, CountsValuesThatCannotBe) {
     ASSERT_EQ(file.faults.size(), 1u);
     EXPECT_EQ(file.faults[0].line, 3u);
     EXPECT_EQ(file.faults[0].count, 3u);
+}
+
+TEST_F(Mtl, TakesMoreThanAllLightForAllOfIt) {
+    const MtlFile file = readFile("newmtl a\nKd 2 0.5 1\nnewmtl b\nKd 1.5\nKe 5 1e30 0\nKs 2\n");
+    EXPECT_EQ(file.materials[0].diffuse, glm::vec3(1, 0.5f, 1));
+    EXPECT_EQ(file.materials[1].diffuse, glm::vec3(1));
+    EXPECT_EQ(file.materials[1].emission, glm::vec3(5, kMostRadiance, 0));
+    ASSERT_EQ(file.faults.size(), 2u);
+    EXPECT_EQ(file.faults[0].message, "Kd 2 is above 1, and taken for it");
+    EXPECT_EQ(file.faults[0].count, 2u);
+    EXPECT_EQ(file.faults[1].message, "Ke 1e+30 is above 7.92282e+28, and taken for it");
 }
 
 TEST_F(Mtl, LeavesOutOptionsThatCannotBeRead) {

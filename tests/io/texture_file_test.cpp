@@ -1,4 +1,6 @@
 #include "core/io/texture_file.h"
+
+#include "shaders/shared/radiance.h"
 #include "tests/io/input_error.h"
 #include "tests/support/captured_stream.h"
 #include "tests/support/random.h"
@@ -6,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfloat>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -110,14 +113,29 @@ TEST(TextureFile, ReadsFloatsAsTheyAre) {
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(0.5f, 0.25f, 100.0f));
 }
 
-TEST(TextureFile, RefusesFloatsThatAreNoColour) {
+TEST(TextureFile, TakesFloatsThatAreNoColourForOthers) {
     const test::TemporaryFolder folder;
-    for (const float bad : {-1.0f, std::nanf(""), std::numeric_limits<float>::infinity()}) {
-        const auto file =
-            writeImage(folder.path() / "a.exr", 3, OIIO::TypeDesc::FLOAT, {bad, 0.0f, 0.0f});
-        EXPECT_EQ(inputError([&] { readTexture(DecodedImage(file)); }),
-                  file.string() + ": damaged image: a texel is negative or not finite");
-    }
+    const float inf = std::numeric_limits<float>::infinity();
+    const DecodedImage image(writeImage(folder.path() / "a.exr", 3, OIIO::TypeDesc::FLOAT,
+                                        {-1.0f, std::nanf(""), inf, 1e30f, 5.0f, -inf}));
+    const Texture colour = readTexture(image);
+    EXPECT_EQ(image.takeFault(),
+              "5 numbers are not from 0 to 7.92282e+28: the nearest is taken, for a NaN 0");
+    EXPECT_EQ(colour.sample({0.25f, 0.5f}), glm::vec3(0, 0, kMostRadiance));
+    EXPECT_EQ(colour.sample({0.75f, 0.5f}), glm::vec3(kMostRadiance, 5, 0));
+    EXPECT_EQ(colour.range().largest, kMostRadiance);
+
+    const Texture data = readDataTexture(image);
+    EXPECT_EQ(image.takeFault(),
+              "3 numbers are not finite: a NaN is taken for 0, an infinity for 3.40282e+38");
+    EXPECT_EQ(data.sample({0.25f, 0.5f}), glm::vec3(-1, 0, FLT_MAX));
+    EXPECT_EQ(data.range().least, -FLT_MAX);
+
+    EXPECT_EQ(readScalarTexture(image, ImageChannel::red).range().least, -1.0f);
+    EXPECT_EQ(image.takeFault(), "") << "this channel has none";
+    EXPECT_EQ(readScalarTexture(image, ImageChannel::green).texel(0, 0), 0.0f);
+    EXPECT_EQ(image.takeFault(),
+              "1 numbers are not finite: a NaN is taken for 0, an infinity for 3.40282e+38");
 }
 
 TEST(TextureFile, RefusesWhatIsNoImage) {
