@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
+
+#include <glm/geometric.hpp>
 
 namespace dirt {
 namespace {
@@ -53,9 +56,33 @@ View makeView(int width, int height, int tile, double rimX, double rimY, double 
     return view;
 }
 
+void require(bool right, const char* what, double value, const char* range) {
+    if (right) return;
+    char text[128];
+    std::snprintf(text, sizeof text, "%s %g; %s", what, value, range);
+    throw InputError(text);
+}
+
+/// What no view can be made of.
+void check(const GridSettings& settings, const Camera& camera) {
+    require(settings.tile >= 1, "pixels of a tile:", settings.tile, "there is 1 at least");
+    require(settings.bins >= 1, "bins of a tile:", settings.bins, "there is 1 at least");
+    require(settings.width >= 1, "an image width of", settings.width, "it is 1 at least");
+    require(settings.height >= 1, "an image height of", settings.height, "it is 1 at least");
+    require(settings.viewSize >= 0, "a view size of", settings.viewSize,
+            "it is 1 at least, or 0 for the image's height");
+    if (settings.mode != ViewMode::single) return;
+    const float fov = camera.verticalFov;
+    require(fov > 0.0f && fov < 180.0f, "a field of view of", fov, "it is between 0 and 180");
+    const glm::vec3 ahead = camera.target - camera.eye;
+    if (ahead == glm::vec3(0.0f) || !(glm::dot(ahead, ahead) >= 0.0f))
+        throw InputError("a single view needs a target that is not the eye");
+}
+
 } // namespace
 
 std::vector<View> makeViews(const GridSettings& settings, const Camera& camera) {
+    check(settings, camera);
     const double guardBand = settings.precision == Precision::exact ? kGuardBand : 0.0;
     if (settings.mode == ViewMode::single) {
         const double pi = 3.14159265358979323846;

@@ -33,7 +33,9 @@ struct View {
 
 /// The views of one frame. Full: faces +X -X +Y -Y +Z -Z, for axis a: w = +-p[a], x = p[a+1],
 /// y = p[a+2] (indices mod 3). Single: the camera's, whose frame is the grid frame itself.
-/// Throws InputError where a view would need more than kMaxTiles tiles a side.
+/// Throws InputError where a view would need more than kMaxTiles tiles a side, and where a number
+/// is none that a view can be made of: sizes and bins below 1, or in single mode a field of view
+/// that is not between 0 and 180 degrees, or no direction.
 std::vector<View> makeViews(const GridSettings& settings, const Camera& camera);
 
 } // namespace dirt

@@ -1,5 +1,6 @@
 #include "core/probe/grid_probe.h"
 
+#include "core/io/error.h"
 #include "core/trace/traverse.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace dirt {
 namespace {
 
 Mesh meshOf(const std::vector<WorldTriangle>& triangles) {
+    if (triangles.empty()) throw InputError("there are no triangles");
     Mesh mesh;
     for (const WorldTriangle& t : triangles) {
         const uint32_t first = (uint32_t) mesh.positions.size();

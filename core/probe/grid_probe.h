@@ -30,7 +30,8 @@ using Ids = std::vector<uint32_t>;
 /// std::out_of_range, which says what there is. See docs/unit-testing.md.
 class GridProbe {
 public:
-    /// The grid that core's definition builds. A triangle's index is its id.
+    /// The grid that core's definition builds. A triangle's index is its id. Throws InputError
+    /// where there are none, or a number is none that a grid can be made of.
     GridProbe(const std::vector<WorldTriangle>& triangles, const Camera& camera,
               const GridSettings& settings);
 

@@ -2,10 +2,13 @@
 
 #include "core/probe/grid_probe.h"
 
+#include "core/io/error.h"
 #include "core/trace/traverse.h"
 #include "tests/support/random.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -167,6 +170,82 @@ TEST(GridProbe, SaysWhatThereIsInsteadOfWhatThereIsNot) {
     EXPECT_EQ(textOf([&] { probe.depths(Tile{0, 0, -1}); }), "there is no tile (0, -1) among 4x4");
     EXPECT_EQ(textOf([&] { probe.ids(Cell{0, 0, 0, 2}); }), "there is no bin 2 of 2");
     EXPECT_EQ(textOf([&] { probe.cellsOf(1); }), "there is no triangle 1 of 1");
+}
+
+/// What a program asks for by mistake ends in a line that says so.
+TEST(GridProbe, RefusesWhatNoGridIsMadeOf) {
+    const GridSettings good = grid(64, 16, 4);
+    const auto textOf = [&](const auto& spoil) -> std::string {
+        GridSettings settings = good;
+        Camera camera;
+        std::vector<WorldTriangle> triangles = kOne;
+        spoil(settings, camera, triangles);
+        try {
+            GridProbe(triangles, camera, settings);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "nothing was thrown";
+    };
+    using Settings = GridSettings;
+    using Triangles = std::vector<WorldTriangle>;
+    const auto ofSettings = [&](const auto& spoil) {
+        return textOf([&](Settings& settings, Camera&, Triangles&) { spoil(settings); });
+    };
+    EXPECT_EQ(ofSettings([](Settings&) {}), "nothing was thrown");
+    EXPECT_EQ(ofSettings([](Settings& s) { s.tile = 0; }),
+              "pixels of a tile: 0; there is 1 at least");
+    EXPECT_EQ(ofSettings([](Settings& s) { s.tile = -3; }),
+              "pixels of a tile: -3; there is 1 at least");
+    EXPECT_EQ(ofSettings([](Settings& s) { s.bins = 0; }),
+              "bins of a tile: 0; there is 1 at least");
+    EXPECT_EQ(ofSettings([](Settings& s) { s.bins = -1; }),
+              "bins of a tile: -1; there is 1 at least");
+    EXPECT_EQ(ofSettings([](Settings& s) { s.width = 0; }),
+              "an image width of 0; it is 1 at least");
+    EXPECT_EQ(ofSettings([](Settings& s) { s.viewSize = s.height = 0; }),
+              "an image height of 0; it is 1 at least");
+    EXPECT_EQ(ofSettings([](Settings& s) { s.viewSize = -5; }),
+              "a view size of -5; it is 1 at least, or 0 for the image's height");
+    EXPECT_NE(ofSettings([](Settings& s) { s.bins = 1 << 30; }).find("cells"), std::string::npos);
+    for (const auto& [size, tile] : {std::pair(1 << 30, 16), std::pair(9000, 1)})
+        EXPECT_NE(ofSettings([&](Settings& s) {
+                      s.viewSize = size, s.tile = tile;
+                  }).find("has more than 8192 tiles a side"),
+                  std::string::npos);
+
+    const float nan = std::nanf(""), inf = std::numeric_limits<float>::infinity();
+    const std::string unfit = "the scene does not fit into float32 as seen from the eye";
+    EXPECT_EQ(textOf([](Settings&, Camera&, Triangles& t) { t.clear(); }),
+              "there are no triangles");
+    for (const float bad : {nan, inf, -inf}) {
+        EXPECT_EQ(textOf([&](Settings&, Camera&, Triangles& t) { t[0].a.x = bad; }), unfit);
+        EXPECT_EQ(textOf([&](Settings&, Camera& c, Triangles&) { c.eye.x = bad; }), unfit);
+    }
+    const auto single = [&](const auto& spoil) {
+        return textOf([&](Settings& settings, Camera& camera, Triangles&) {
+            settings.mode = ViewMode::single;
+            spoil(camera);
+        });
+    };
+    EXPECT_EQ(single([](Camera&) {}), "nothing was thrown");
+    EXPECT_EQ(single([](Camera& c) { c.up = c.target; }), "nothing was thrown") << "any up will do";
+    EXPECT_EQ(single([](Camera& c) { c.target = c.eye; }),
+              "a single view needs a target that is not the eye");
+    EXPECT_EQ(single([](Camera& c) { c.verticalFov = 0.0f; }),
+              "a field of view of 0; it is between 0 and 180");
+    EXPECT_EQ(single([](Camera& c) { c.verticalFov = 180.0f; }),
+              "a field of view of 180; it is between 0 and 180");
+    EXPECT_EQ(single([&](Camera& c) { c.verticalFov = nan; }),
+              "a field of view of nan; it is between 0 and 180");
+}
+
+/// Numbers that are no ray's hit nothing.
+TEST(GridProbe, RaysThatAreNoneHitNothing) {
+    const GridProbe probe(kOne, Camera{}, grid(64, 16, 4));
+    EXPECT_TRUE(probe.hit({0, 0, 0}, {0, 0, -1}).found());
+    EXPECT_FALSE(probe.hit({0, 0, 0}, {0, 0, 0}).found());
+    EXPECT_FALSE(probe.hit({std::nanf(""), 0, 0}, {0, 0, -1}).found());
 }
 
 TEST(GridProbe, PrintsCellsForPeople) {
