@@ -2,7 +2,7 @@
 
 #include "backend_cpu/eye_tile.h"
 #include "backend_cpu/prefetch_texels.h"
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
 #include "core/grid/repeated.h"
 #include "core/path/surface.h"
 #include "core/trace/intersect.h"

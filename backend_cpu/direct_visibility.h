@@ -1,7 +1,7 @@
 #pragma once
 
 #include "backend_cpu/eye_tile.h"
-#include "core/frame/executor.h"
+#include "core/base/executor.h"
 #include "core/frame/passes.h"
 
 #include <span>

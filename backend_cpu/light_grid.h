@@ -2,7 +2,7 @@
 
 #include "backend_cpu/fragments.h"
 #include "backend_cpu/light_tree.h"
-#include "core/frame/executor.h"
+#include "core/base/executor.h"
 #include "core/grid/geometry.h"
 #include "core/scene/light.h"
 

@@ -9,7 +9,7 @@
 
 #include "backend_cpu/light_raster.h"
 #include "backend_cpu/simd_mask-inl.h"
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
 #include "core/trace/ray.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "backend_cpu/fragments.h"
 #include "backend_cpu/raster_tables.h"
-#include "core/frame/executor.h"
+#include "core/base/executor.h"
 #include "core/frame/passes.h"
 #include "core/grid/grid.h"
 

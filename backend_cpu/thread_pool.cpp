@@ -1,6 +1,6 @@
 #include "backend_cpu/thread_pool.h"
 
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 #include "backend_embree/embree_backend.h"
 
 #include "backend_embree/filter.h"
-#include "core/grid/denormals.h"
-#include "core/io/error.h"
+#include "core/base/denormals.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <atomic>

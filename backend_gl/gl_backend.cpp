@@ -2,7 +2,7 @@
 
 #include "backend_gl/proposal_test.h"
 #include "backend_gl/self_test.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 namespace dirt {
 namespace {

@@ -1,6 +1,6 @@
 #include "backend_gl/gl_context.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cstring>

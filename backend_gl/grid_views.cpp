@@ -1,6 +1,6 @@
 #include "backend_gl/grid_views.h"
 
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
 #include "shaders/shared/grid_parameters.h"
 
 namespace dirt {

@@ -1,6 +1,6 @@
 #include "backend_gl/id_buffer.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 #include "backend_gl/path_buffers.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 #include "backend_gl/ray_caster.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "backend_gl/shader_files.h"
 
 #include "backend_gl/embedded_shaders.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #include "backend_gl/shadow_map.h"
 
 #include "backend_gl/ordinary_raster.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <string>

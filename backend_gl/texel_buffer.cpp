@@ -1,6 +1,6 @@
 #include "backend_gl/texel_buffer.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <string>
 

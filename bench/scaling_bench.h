@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bench/timing.h"
+#include "core/base/executor.h"
 #include "core/frame/backend.h"
-#include "core/frame/executor.h"
 
 #include <cstdint>
 

@@ -2,9 +2,9 @@
 
 #include "bench/sweeps.h"
 #include "bench/timing.h"
+#include "core/base/executor.h"
 #include "core/compare/plane.h"
 #include "core/frame/backend.h"
-#include "core/frame/executor.h"
 #include "core/io/image.h"
 
 #include <functional>

@@ -2,7 +2,7 @@
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
 #include "app/cli/option_values.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/io/input_files.h"
 #include "core/io/output_file.h"
 

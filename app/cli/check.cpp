@@ -3,7 +3,7 @@
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
 #include "app/cli/structure_options.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <cstdio>
 #include <memory>

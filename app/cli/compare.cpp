@@ -2,11 +2,11 @@
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
 #include "app/cli/thread_limit.h"
+#include "core/base/error.h"
 #include "core/compare/colour.h"
 #include "core/compare/colour_map.h"
 #include "core/compare/differences.h"
 #include "core/compare/flip.h"
-#include "core/io/error.h"
 #include "core/io/input_files.h"
 #include "core/io/output_file.h"
 

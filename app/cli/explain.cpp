@@ -4,7 +4,7 @@
 #include "app/cli/input.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/option_values.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <array>
 #include <cstdio>
@@ -63,7 +63,7 @@ int explainPixel(const ExplainOptions& options, const Input& input, Backend& bac
     for (const EventAccount& event : account.events) {
         if (options.event && *options.event != event.event) continue;
         const std::vector<ExplainedRay> rays = raysOf(account, event);
-        json["events"].push_back(eventJson(account, event, rays));
+        json["events"].push_back(eventJson(event, rays));
         text += eventText(input.scene, account, event);
         for (const ExplainedRay& ray : rays) {
             text += rayText(account, ray);

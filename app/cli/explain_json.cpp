@@ -95,8 +95,7 @@ Json rayJson(const ExplainedRay& explained) {
 
 } // namespace
 
-Json eventJson(const PathAccount& account, const EventAccount& event,
-               const std::vector<ExplainedRay>& rays) {
+Json eventJson(const EventAccount& event, const std::vector<ExplainedRay>& rays) {
     const SurfacePoint& point = event.point;
     Json json = {{"event", event.event}, {"rasterized", event.rasterized}};
     json["point"] = Json();

@@ -6,8 +6,7 @@
 namespace dirt {
 
 /// What explain_text.h says, as JSON.
-Json eventJson(const PathAccount& account, const EventAccount& event,
-               const std::vector<ExplainedRay>& rays);
+Json eventJson(const EventAccount& event, const std::vector<ExplainedRay>& rays);
 Json entriesJson(const std::vector<TileEntry>& entries);
 
 } // namespace dirt

@@ -1,7 +1,7 @@
 #include "scenes/generate/generate.h"
 #include "app/cli/commands.h"
 #include "app/cli/option_values.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <cstdio>
 #include <memory>

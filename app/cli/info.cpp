@@ -2,12 +2,12 @@
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
 #include "app/cli/thread_limit.h"
+#include "core/base/error.h"
 #include "core/cost/cost_model.h"
 #include "core/cost/forecast.h"
 #include "core/frame/memory_plan.h"
 #include "core/frame/precision.h"
 #include "core/frame/requirements.h"
-#include "core/io/error.h"
 
 #ifdef DIRT_HAVE_GL
 #include "backend_gl/gl_context.h"

@@ -7,10 +7,10 @@
 #include "app/cli/thread_limit.h"
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
+#include "core/base/error.h"
 #include "core/cost/cost_model.h"
 #include "core/frame/auto_camera.h"
 #include "core/frame/move_scene.h"
-#include "core/io/error.h"
 #include "core/io/load.h"
 #include "core/path/shadow_map.h"
 

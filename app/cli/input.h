@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/cli/options.h"
+#include "core/base/executor.h"
 #include "core/frame/backend.h"
-#include "core/frame/executor.h"
 #include "core/frame/precision.h"
 #include "core/io/load_report.h"
 #include "core/io/material_convention.h"

@@ -1,10 +1,10 @@
 #include "app/cli/memory_limit.h"
 
 #include "backend_cpu/memory_forecast.h"
+#include "core/base/error.h"
 #include "core/frame/memory_plan.h"
 #include "core/frame/path_buffers.h"
 #include "core/frame/requirements.h"
-#include "core/io/error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "app/cli/model_camera.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "app/cli/option_scope.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <string_view>

@@ -3,8 +3,8 @@
 #include "app/cli/memory_limit.h"
 #include "app/cli/option_scope.h"
 #include "app/cli/option_values.h"
+#include "core/base/error.h"
 #include "core/grid/view.h"
-#include "core/io/error.h"
 #include "core/scene/animation.h"
 
 #include <glm/geometric.hpp>

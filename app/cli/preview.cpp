@@ -3,7 +3,7 @@
 #include "app/cli/input.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/option_values.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/io/image.h"
 #include "core/io/load_report.h"
 #include "core/io/output_file.h"

@@ -1,7 +1,7 @@
 #include "app/cli/program.h"
 
 #include "app/cli/commands.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/io/input_files.h"
 
 #include <cerrno>

@@ -1,7 +1,7 @@
 #include "app/cli/tradeoff_errors.h"
 
 #include "app/cli/image_metadata.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/io/output_file.h"
 #include "core/io/text_file.h"
 

@@ -1,6 +1,6 @@
 #include "app/cli/verify_options.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #ifdef DIRT_HAVE_EMBREE
 #include "backend_embree/embree_backend.h"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/cli/options.h"
+#include "core/base/executor.h"
 #include "core/frame/backend.h"
-#include "core/frame/executor.h"
 #include "core/verify/extremes.h"
 #include "core/verify/verify.h"
 

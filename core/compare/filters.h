@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/executor.h"
 #include "core/compare/plane.h"
-#include "core/frame/executor.h"
 
 #include <vector>
 

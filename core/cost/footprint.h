@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/frame/executor.h"
+#include "core/base/executor.h"
 #include "core/frame/settings.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"

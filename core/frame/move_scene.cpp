@@ -1,7 +1,7 @@
 #include "core/frame/move_scene.h"
 
-#include "core/grid/denormals.h"
-#include "core/io/error.h"
+#include "core/base/denormals.h"
+#include "core/base/error.h"
 
 #include <atomic>
 #include <cfloat>

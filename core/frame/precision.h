@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/frame/executor.h"
+#include "core/base/executor.h"
 #include "core/grid/geometry.h"
 
 #include <cstdint>

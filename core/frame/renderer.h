@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/image.h"
 #include "core/frame/backend.h"
-#include "core/io/image.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "core/frame/shadow_map.h"
 
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
 #include "core/trace/holes.h"
 #include "core/trace/intersect.h"
 

@@ -1,6 +1,6 @@
 #include "core/frame/transform_mesh.h"
 
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 #include "core/grid/clip.h"
 
-#include "core/grid/exact_sum.h"
+#include "core/base/exact_sum.h"
 #include "shaders/shared/margins.h"
 #include "shaders/shared/rounding.h"
 

@@ -1,7 +1,7 @@
 #include "core/grid/coverage.h"
 
-#include "core/grid/denormals.h"
-#include "core/grid/exact_sum.h"
+#include "core/base/denormals.h"
+#include "core/base/exact_sum.h"
 #include "shaders/shared/margins.h"
 
 #include <algorithm>

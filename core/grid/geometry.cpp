@@ -1,7 +1,7 @@
 #include "core/grid/geometry.h"
 
-#include "core/grid/denormals.h"
-#include "core/io/error.h"
+#include "core/base/denormals.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cmath>

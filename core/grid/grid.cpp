@@ -1,9 +1,9 @@
 #include "core/grid/grid.h"
 
-#include "core/grid/denormals.h"
-#include "core/grid/exact_sum.h"
+#include "core/base/denormals.h"
+#include "core/base/error.h"
+#include "core/base/exact_sum.h"
 #include "core/grid/scan.h"
-#include "core/io/error.h"
 
 #include <algorithm>
 #include <cmath>

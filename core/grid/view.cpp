@@ -1,6 +1,6 @@
 #include "core/grid/view.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "shaders/shared/margins.h"
 
 #include <algorithm>

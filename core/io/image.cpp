@@ -1,6 +1,6 @@
 #include "core/io/image.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/io/image_encoder.h"
 #include "core/io/image_reader.h"
 #include "core/io/text_file.h"

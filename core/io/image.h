@@ -1,21 +1,14 @@
 #pragma once
 
+#include "core/base/image.h"
+
 #include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <glm/vec3.hpp>
-
 namespace dirt {
-
-/// Row-major pixels, the first row on top; linear Rec.709 radiance.
-struct Image {
-    int width = 0;
-    int height = 0;
-    std::vector<glm::vec3> pixels;
-};
 
 /// Attributes that an image file carries, "dirt:…" by convention. Numbers of 64 bits as text.
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;

@@ -1,6 +1,6 @@
 #include "core/io/image_encoder.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/io/memory_file.h"
 #include "core/io/output_file.h"
 

@@ -1,7 +1,7 @@
 #include "core/io/load.h"
 
+#include "core/base/error.h"
 #include "core/frame/move_scene.h"
-#include "core/io/error.h"
 #include "core/io/find_file.h"
 #include "core/io/mesh_size.h"
 #include "core/io/scene_builder.h"

@@ -1,6 +1,6 @@
 #include "core/io/load_report.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/io/utf8.h"
 
 namespace dirt {

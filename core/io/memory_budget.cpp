@@ -1,6 +1,6 @@
 #include "core/io/memory_budget.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/io/load_report.h"
 
 #include <limits>

@@ -1,7 +1,7 @@
 #include "core/io/obj_cache.h"
 
+#include "core/base/error.h"
 #include "core/io/content_hash.h"
-#include "core/io/error.h"
 #include "core/io/input_files.h"
 #include "core/io/output_file.h"
 #include "core/io/text_file.h"

@@ -41,7 +41,7 @@ private:
     void keepMode() const;
     void nameUnnamed();
 
-    ExitDelay delay_; // the first, and so the last to go
+    ExitDelay delay_;                 // the first, and so the last to go
     std::string path_;                ///< as given
     std::filesystem::path target_;    ///< where a link at the path leads
     std::filesystem::path temporary_; ///< empty: the file has no name

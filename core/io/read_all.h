@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/frame/executor.h"
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
+#include "core/base/executor.h"
 
 #include <cstddef>
 #include <exception>

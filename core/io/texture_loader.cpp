@@ -1,7 +1,7 @@
 #include "core/io/texture_loader.h"
 
+#include "core/base/error.h"
 #include "core/io/content_hash.h"
-#include "core/io/error.h"
 
 #include <cstdio>
 

@@ -1,6 +1,6 @@
 #include "core/path/shadow_map.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cfloat>

@@ -1,4 +1,4 @@
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/preview/paint.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "core/preview/preview.h"
 
+#include "core/base/error.h"
 #include "core/frame/passes.h"
 #include "core/frame/renderer.h"
-#include "core/io/error.h"
 #include "core/path/tone_mapping.h"
 #include "core/preview/paint.h"
 #include "core/trace/traverse.h"

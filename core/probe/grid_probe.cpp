@@ -1,6 +1,6 @@
 #include "core/probe/grid_probe.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/trace/traverse.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "core/trace/intersect.h"
 
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
 #include "core/trace/determinant.h"
 #include "shaders/shared/margins.h"
 

@@ -1,6 +1,6 @@
 #include "core/trace/plain_intersect.h"
 
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
 
 #include <cfloat>
 #include <cmath>

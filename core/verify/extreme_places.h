@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/frame/settings.h"
+#include "core/grid/settings.h"
 #include "core/scene/scene.h"
 
 namespace dirt {

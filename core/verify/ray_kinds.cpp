@@ -1,6 +1,6 @@
 #include "core/verify/ray_kinds.h"
 
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
 #include "core/trace/offset.h"
 #include "core/verify/aim.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/frame/settings.h"
 #include "core/grid/geometry.h"
+#include "core/grid/settings.h"
 #include "core/grid/view.h"
 #include "core/trace/ray.h"
 #include "core/verify/random.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/frame/executor.h"
+#include "core/base/executor.h"
 #include "core/frame/tracer.h"
 #include "core/verify/judge.h"
 #include "core/verify/ray_kinds.h"

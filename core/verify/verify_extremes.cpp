@@ -1,9 +1,9 @@
 #include "core/verify/verify_extremes.h"
 
+#include "core/base/error.h"
 #include "core/frame/renderer.h"
 #include "core/frame/requirements.h"
 #include "core/frame/transform_mesh.h"
-#include "core/io/error.h"
 #include "core/verify/closed_bodies.h"
 
 #include <algorithm>

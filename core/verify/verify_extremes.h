@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/executor.h"
 #include "core/frame/backend.h"
-#include "core/frame/executor.h"
 #include "core/verify/extremes.h"
 #include "core/verify/verify.h"
 

@@ -1,7 +1,7 @@
 // The structure that OpenGL builds, against the definition: the same, lists as sets.
 
 #include <dirt/backend_gl/gl_backend.h>
-#include <dirt/core/io/error.h>
+#include <dirt/core/base/error.h>
 
 #include <gtest/gtest.h>
 

@@ -29,7 +29,7 @@ double addTo(inout double parts[kHalf], inout double term) {
 }
 
 /// The sum: relative error at most 2^-50, exact sign. The same parts in the same order as ExactSum
-/// of core/grid/exact_sum.h, the largest in the last place; zeros elsewhere, which change nothing.
+/// of core/base/exact_sum.h, the largest in the last place; zeros elsewhere, which change nothing.
 /// Of 48 terms, the last finds the first place empty.
 double exactValue(TripleProducts sum) {
     double low[kHalf], high[kHalf]; // nonoverlapping, of increasing magnitude

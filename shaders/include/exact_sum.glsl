@@ -1,4 +1,4 @@
-// core/grid/exact_sum.h in GLSL: sums of doubles without any error.
+// core/base/exact_sum.h in GLSL: sums of doubles without any error.
 
 const int kMostAddends = 12;
 

@@ -1,7 +1,7 @@
 // How near coverage and clip come to the bounds derived in coverage.cpp and clip.cpp.
 
+#include "core/base/exact_sum.h"
 #include "core/grid/clip.h"
-#include "core/grid/exact_sum.h"
 #include "shaders/shared/margins.h"
 #include "tests/bounds/climb.h"
 #include "tests/support/corner_triangles.h"

@@ -4,9 +4,9 @@
 
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
+#include "core/base/error.h"
 #include "core/dump/entries.h"
 #include "core/frame/renderer.h"
-#include "core/io/error.h"
 #include "tests/cli/program.h"
 #include "tests/frame/shapes.h"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/frame/settings.h"
 #include "core/verify/extreme_mesh.h"
 
 #include <cmath>

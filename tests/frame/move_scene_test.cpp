@@ -1,7 +1,7 @@
 #include "core/frame/move_scene.h"
 
 #include "backend_cpu/thread_pool.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "tests/support/random.h"
 
 #include <gtest/gtest.h>

@@ -5,9 +5,9 @@
 
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
+#include "core/base/error.h"
 #include "core/frame/memory_plan.h"
 #include "core/frame/renderer.h"
-#include "core/io/error.h"
 #include "core/path/shadow_map.h"
 #include "core/path/spotlight.h"
 #include "tests/frame/shapes.h"

@@ -1,8 +1,8 @@
 // The parallel transform against core's makeFrameGeometry: the same bits and the same errors.
 
 #include "backend_cpu/thread_pool.h"
+#include "core/base/error.h"
 #include "core/frame/transform_mesh.h"
-#include "core/io/error.h"
 #include "tests/support/random.h"
 
 #include <gtest/gtest.h>

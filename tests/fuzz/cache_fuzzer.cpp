@@ -1,7 +1,7 @@
 // Caches of OBJ files whose sums are right and whose contents are anything: sums can be met on
 // purpose.
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/io/obj_cache.h"
 #include "core/io/place_mesh.h"
 

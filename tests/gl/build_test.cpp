@@ -2,7 +2,7 @@
 // and view, any size of the pool, and triangles that are made to go wrong.
 
 #include "backend_gl/gl_backend.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "tests/gl/grids.h"
 #include "tests/support/corner_triangles.h"
 #include "tests/support/small_scenes.h"

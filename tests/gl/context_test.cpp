@@ -3,7 +3,7 @@
 #include "backend_gl/gl_backend.h"
 #include "backend_gl/proposal_test.h"
 #include "backend_gl/self_test.h"
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>

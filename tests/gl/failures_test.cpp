@@ -3,8 +3,8 @@
 // status.
 
 #include "backend_gl/gl_backend.h"
+#include "core/base/error.h"
 #include "core/frame/renderer.h"
-#include "core/io/error.h"
 #include "tests/cli/program.h"
 #include "tests/frame/shapes.h"
 #include "tests/gl/replaced.h"

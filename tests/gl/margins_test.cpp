@@ -5,7 +5,7 @@
 #include "backend_gl/gl_context.h"
 #include "backend_gl/grid_views.h"
 #include "backend_gl/program.h"
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
 #include "core/trace/determinant.h"
 #include "core/trace/intersect.h"
 #include "core/trace/offset.h"

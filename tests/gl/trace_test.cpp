@@ -2,7 +2,7 @@
 // them.
 
 #include "backend_gl/gl_backend.h"
-#include "core/grid/denormals.h"
+#include "core/base/denormals.h"
 #include "core/trace/traverse.h"
 #include "tests/support/border_rays.h"
 #include "tests/support/final_hits.h"

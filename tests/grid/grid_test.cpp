@@ -1,6 +1,6 @@
+#include "core/base/error.h"
 #include "core/grid/clip.h"
 #include "core/grid/grid.h"
-#include "core/io/error.h"
 #include "tests/support/exact_point.h"
 #include "tests/support/print.h"
 #include "tests/support/small_scenes.h"

@@ -1,4 +1,4 @@
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/io/image.h"
 #include "core/io/output_file.h"
 #include "tests/support/temporary_folder.h"

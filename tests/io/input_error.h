@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/io/find_file.h"
 #include "core/io/input_files.h"
 #include "core/io/output_file.h"

@@ -190,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(
         OddFile{"OBJ/empty_mat.obj", 256, 1, 0, 0}, OddFile{"OBJ/multiple_spaces.obj", 1, 1, 0, 0},
         OddFile{"OBJ/regr01.obj", 2710, 12, 0, 0}, OddFile{"OBJ/regr_3429812.obj", 4, 1, 0, 0},
         OddFile{"OBJ/space_in_material_name.obj", 64, 1, 0, 0},
-        OddFile{"OBJ/spider.obj", 1368, 4, 4, 1}, // a normal without length
+        OddFile{"OBJ/spider.obj", 1368, 4, 4, 1},  // a normal without length
         OddFile{"OBJ/testmixed.obj", 12, 1, 0, 1}, // points and lines between the faces
         OddFile{"OBJ/testline.obj", 0, 0, 0, 0, ": holds no triangles"},
         OddFile{"OBJ/testpoints.obj", 0, 0, 0, 0, ": holds no triangles"},

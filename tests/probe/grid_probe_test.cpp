@@ -2,7 +2,7 @@
 
 #include "core/probe/grid_probe.h"
 
-#include "core/io/error.h"
+#include "core/base/error.h"
 #include "core/trace/traverse.h"
 #include "tests/support/random.h"
 
