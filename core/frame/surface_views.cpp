@@ -32,18 +32,22 @@ std::vector<SurfaceView> look(std::span<const glm::dvec3> ends, bool isPlace,
             ray.skip = sample.triangle;
             rays.push_back(ray);
         }
+    // What is seen edge-on is not seen; along a surface of many triangles its ray would be dear.
     const float reach = isPlace ? 1.0f : std::numeric_limits<float>::infinity();
-    const std::vector<float> maxT(rays.size(), reach);
+    std::vector<double> cosines(rays.size());
+    std::vector<float> maxT(rays.size());
+    for (size_t i = 0; i < rays.size(); ++i) {
+        cosines[i] = glm::dot(samples[i % samples.size()].normal, glm::dvec3(rays[i].direction));
+        maxT[i] = cosines[i] != 0.0 ? reach : 0.0f;
+    }
     std::vector<uint8_t> occluded(rays.size());
     tracer.occluded(rays, maxT, occluded);
 
     std::vector<SurfaceView> views(ends.size(), SurfaceView(samples.size(), Side::hidden));
-    size_t i = 0;
-    for (SurfaceView& view : views)
-        for (size_t s = 0; s < samples.size(); ++s, ++i) {
-            const double cosine = glm::dot(samples[s].normal, glm::dvec3(rays[i].direction));
-            if (!occluded[i] && cosine != 0.0) view[s] = cosine > 0.0 ? Side::front : Side::back;
-        }
+    for (size_t i = 0; i < rays.size(); ++i)
+        if (!occluded[i] && cosines[i] != 0.0)
+            views[i / samples.size()][i % samples.size()] =
+                cosines[i] > 0.0 ? Side::front : Side::back;
     return views;
 }
 
