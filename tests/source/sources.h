@@ -1,0 +1,38 @@
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace dirt::test {
+
+/// The project's folders that are kept in order; others (build folders, copies) are none of its
+/// matter.
+inline const std::vector<std::string> kSourceFolders{
+    "app",  "backend_cpu", "backend_embree", "backend_gl", "bench", "core",
+    "docs", "examples",    "scenes",         "shaders",    "tests"};
+
+/// Files below the source folders with one of \p extensions, relative to the root, sorted.
+inline std::vector<std::string> sourceFiles(const std::vector<std::string>& extensions) {
+    namespace fs = std::filesystem;
+    const fs::path root = DIRT_SOURCE_DIR;
+    std::vector<std::string> files;
+    for (const std::string& folder : kSourceFolders)
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+            if (std::count(extensions.begin(), extensions.end(), entry.path().extension()) > 0)
+                files.push_back(fs::relative(entry.path(), root).generic_string());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+inline std::string sourceText(const std::string& file) {
+    std::ifstream in(std::filesystem::path(DIRT_SOURCE_DIR) / file);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+} // namespace dirt::test
