@@ -1,10 +1,10 @@
 #pragma once
 
-#include "backend_cpu/builder.h"
-#include "backend_cpu/direct_visibility.h"
-#include "backend_cpu/leaves.h"
-#include "backend_cpu/raster_fetch.h"
-#include "backend_cpu/tracer.h"
+#include "backend_cpu/build/builder.h"
+#include "backend_cpu/image/direct_visibility.h"
+#include "backend_cpu/image/raster_fetch.h"
+#include "backend_cpu/trace/leaves.h"
+#include "backend_cpu/trace/tracer.h"
 #include "core/frame/host_backend.h"
 
 #include <optional>

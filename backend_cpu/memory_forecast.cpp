@@ -1,11 +1,11 @@
 #include "backend_cpu/memory_forecast.h"
 
-#include "backend_cpu/depth_lists.h"
-#include "backend_cpu/eye_triangle.h"
-#include "backend_cpu/fragments.h"
-#include "backend_cpu/leaves.h"
-#include "backend_cpu/light_grid.h"
-#include "backend_cpu/raster_fetch.h"
+#include "backend_cpu/build/fragments.h"
+#include "backend_cpu/image/depth_lists.h"
+#include "backend_cpu/image/eye_triangle.h"
+#include "backend_cpu/image/raster_fetch.h"
+#include "backend_cpu/light/light_grid.h"
+#include "backend_cpu/trace/leaves.h"
 #include "core/frame/memory_plan.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "backend_gl/sample_passes.h"
 
 #include "core/path/camera_rays.h"
-#include "core/path/shadow_map.h"
-#include "core/path/spotlight.h"
+#include "core/path/grid_spotlight.h"
+#include "core/path/shadow_frustum.h"
 
 #include <algorithm>
 

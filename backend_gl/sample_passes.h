@@ -5,7 +5,7 @@
 #include "backend_gl/raster_fetch.h"
 #include "backend_gl/ray_caster.h"
 #include "backend_gl/scene_buffers.h"
-#include "backend_gl/shadow_map.h"
+#include "backend_gl/shadow_texture.h"
 #include "core/frame/backend.h"
 #include "core/grid/grid.h"
 #include "shaders/shared/frame_parameters.h"

@@ -1,7 +1,7 @@
 #include "bench/frame_bench.h"
 
 #include "backend_cpu/cpu_backend.h"
-#include "backend_cpu/direct_visibility.h"
+#include "backend_cpu/image/direct_visibility.h"
 #include "bench/bandwidth.h"
 #include "bench/ray_sets.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "backend_cpu/tracer.h"
+#include "backend_cpu/trace/tracer.h"
 #include "bench/timing.h"
 #include "core/frame/renderer.h"
 

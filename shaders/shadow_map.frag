@@ -1,6 +1,6 @@
 #version 450 core
 // ShadowMap: the depth at which the ray through the texel's centre hits the triangle, by the search's
-// exact decision (core/frame/shadow_map.h). Blending keeps the nearest.
+// exact decision (core/frame/shadow_raster.h). Blending keeps the nearest.
 
 #include "include/frame.glsl"
 #include "shared/layouts.h"

@@ -12,8 +12,8 @@
 #include "core/io/input_files.h"
 #include "core/io/output_file.h"
 #include "core/io/text_file.h"
-#include "core/path/shadow_map.h"
-#include "core/path/spotlight.h"
+#include "core/path/grid_spotlight.h"
+#include "core/path/shadow_frustum.h"
 
 #include <algorithm>
 #include <cstdio>

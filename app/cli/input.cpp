@@ -12,7 +12,7 @@
 #include "core/frame/auto_camera.h"
 #include "core/frame/move_scene.h"
 #include "core/io/load.h"
-#include "core/path/shadow_map.h"
+#include "core/path/shadow_frustum.h"
 
 #ifdef DIRT_HAVE_EMBREE
 #include "backend_embree/embree_backend.h"

@@ -1,6 +1,6 @@
 #include "core/frame/host_backend.h"
 
-#include "core/frame/shadow_map.h"
+#include "core/frame/shadow_raster.h"
 #include "core/frame/transform_mesh.h"
 
 #include <algorithm>

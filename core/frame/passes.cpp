@@ -1,7 +1,7 @@
 #include "core/frame/passes.h"
 
 #include "core/frame/compact.h"
-#include "core/path/surface.h"
+#include "core/path/fetch_surface.h"
 #include "core/trace/offset.h"
 #include "shaders/shared/glossy_reflection.h"
 #include "shaders/shared/random.h"

@@ -3,8 +3,8 @@
 #include "core/base/executor.h"
 #include "core/frame/backend.h"
 #include "core/path/camera_rays.h"
-#include "core/path/shadow_map.h"
-#include "core/path/spotlight.h"
+#include "core/path/grid_spotlight.h"
+#include "core/path/shadow_frustum.h"
 #include "core/trace/view_cone.h"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 #include "core/grid/geometry.h"
 #include "core/trace/ray.h"
-#include "shaders/shared/camera_rays.h"
+#include "shaders/shared/image_plane.h"
 
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-// A triangle's attributes, by primitive id, and what Fetch makes of them: core/path/surface.h.
+// A triangle's attributes, by primitive id, and what Fetch makes of them: core/path/fetch_surface.h.
 // DIRT_NORMALS, DIRT_COLORS, DIRT_TEXTURES, DIRT_BUMPS and the others say what the scene has.
 
 #include "include/frame.glsl"

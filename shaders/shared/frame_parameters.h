@@ -2,7 +2,7 @@
 #ifndef DIRT_SHARED_FRAME_PARAMETERS_H
 #define DIRT_SHARED_FRAME_PARAMETERS_H
 
-#include "shaders/shared/camera_rays.h"
+#include "shaders/shared/image_plane.h"
 #include "shaders/shared/shadow_map.h"
 
 DIRT_SHARED_BEGIN

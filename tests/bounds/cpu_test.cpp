@@ -1,9 +1,9 @@
 // How near the CPU backend's own bounds are come to: the boxes of its leaves and its light grid.
 
-#include "backend_cpu/leaf_boxes.h"
-#include "backend_cpu/leaf_test-inl.h"
-#include "backend_cpu/light_raster.h"
-#include "backend_cpu/tile_walk-inl.h"
+#include "backend_cpu/light/light_raster.h"
+#include "backend_cpu/trace/leaf_boxes.h"
+#include "backend_cpu/trace/leaf_test-inl.h"
+#include "backend_cpu/trace/tile_walk-inl.h"
 #include "shaders/shared/margins.h"
 #include "tests/bounds/climb.h"
 #include "tests/support/exact_number.h"

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/frame/host_backend.h"
-#include "core/frame/shadow_map.h"
+#include "core/frame/shadow_raster.h"
 #include "core/grid/scan.h"
-#include "core/path/surface.h"
+#include "core/path/fetch_surface.h"
 #include "core/trace/traverse.h"
 
 namespace dirt::test {

@@ -2,7 +2,7 @@
 
 #include "core/frame/forwarding_backend.h"
 #include "core/frame/passes.h"
-#include "core/path/surface.h"
+#include "core/path/fetch_surface.h"
 #include "core/trace/intersect.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The pixels that triangles may be seen in, and which triangles are in none.
 
-#include "backend_cpu/image_footprint.h"
+#include "backend_cpu/image/image_footprint.h"
 #include "core/path/camera_rays.h"
 #include "core/trace/intersect.h"
 #include "tests/cpu/surface_points.h"

@@ -1,8 +1,8 @@
 // What leaves are made of, against what it has to hold: the box of a cell every depth of its bin,
 // and which triangles no ray hits.
 
-#include "backend_cpu/leaf_boxes.h"
-#include "backend_cpu/without_area.h"
+#include "backend_cpu/trace/leaf_boxes.h"
+#include "backend_cpu/trace/without_area.h"
 #include "core/trace/determinant.h"
 #include "tests/support/nasty_rays.h"
 #include "tests/support/print.h"

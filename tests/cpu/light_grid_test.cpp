@@ -1,12 +1,12 @@
 // Shadow rays looked up in the light grid against core's anyHit, with every instruction set this
 // machine has.
 
-#include "backend_cpu/light_grid.h"
+#include "backend_cpu/light/light_grid.h"
 
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
 #include "core/io/load.h"
-#include "core/path/spotlight.h"
+#include "core/path/grid_spotlight.h"
 #include "core/trace/offset.h"
 #include "tests/io/test_scenes.h"
 #include "tests/support/print.h"

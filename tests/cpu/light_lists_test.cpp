@@ -1,8 +1,8 @@
 // What the light grid lists against core's coverage, and that its bits depend on nothing else.
 
-#include "backend_cpu/light_grid.h"
+#include "backend_cpu/light/light_grid.h"
 
-#include "backend_cpu/light_raster.h"
+#include "backend_cpu/light/light_raster.h"
 #include "backend_cpu/thread_pool.h"
 #include "core/grid/clip.h"
 #include "core/grid/coverage.h"

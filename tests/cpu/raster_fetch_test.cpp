@@ -3,7 +3,7 @@
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
 #include "core/frame/renderer.h"
-#include "core/path/surface.h"
+#include "core/path/fetch_surface.h"
 #include "tests/cpu/surface_points.h"
 #include "tests/frame/shapes.h"
 #include "tests/support/simd_targets.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/path/surface.h"
+#include "core/path/fetch_surface.h"
 #include "tests/support/small_scenes.h"
 
 #include <cstring>

@@ -1,7 +1,7 @@
 // The SIMD traversal against core's, which is its definition: the same hits to the bit, with every
 // instruction set this machine has.
 
-#include "backend_cpu/tracer.h"
+#include "backend_cpu/trace/tracer.h"
 
 #include "backend_cpu/thread_pool.h"
 #include "core/grid/repeated.h"

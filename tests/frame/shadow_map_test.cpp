@@ -1,15 +1,15 @@
 // The shadow map: its texels against their definition, what it lets through against closed forms,
 // and that there is one only where it is asked for.
 
-#include "core/frame/shadow_map.h"
+#include "core/frame/shadow_raster.h"
 
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
 #include "core/base/error.h"
 #include "core/frame/memory_plan.h"
 #include "core/frame/renderer.h"
-#include "core/path/shadow_map.h"
-#include "core/path/spotlight.h"
+#include "core/path/grid_spotlight.h"
+#include "core/path/shadow_frustum.h"
 #include "tests/frame/shapes.h"
 #include "tests/support/golden_scenes.h"
 #include "tests/support/small_scenes.h"

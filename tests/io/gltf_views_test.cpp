@@ -1,6 +1,6 @@
 // Cameras and lights of glTF files.
 
-#include "core/path/spotlight.h"
+#include "core/path/grid_spotlight.h"
 #include "tests/io/gltf_fixture.h"
 
 #include <numbers>

@@ -1,6 +1,6 @@
 // Normals from heights, against the plane that the heights make.
 
-#include "core/path/surface.h"
+#include "core/path/fetch_surface.h"
 #include "tests/frame/shapes.h"
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 // Normal, roughness and metallic maps, factors and vertex colours on flat quads, against closed
 // form.
 
-#include "core/path/surface.h"
+#include "core/path/fetch_surface.h"
 #include "shaders/shared/glossy_reflection.h"
 #include "tests/frame/shapes.h"
 

@@ -1,7 +1,7 @@
 // Surface points in 32 bytes: what they keep exactly, and how far the rest is off at most.
 
 #include "core/frame/point_buffer.h"
-#include "core/path/surface.h"
+#include "core/path/fetch_surface.h"
 #include "core/trace/determinant.h"
 #include "core/trace/offset.h"
 #include "shaders/shared/reflection.h"

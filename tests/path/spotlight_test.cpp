@@ -1,4 +1,4 @@
-#include "core/path/spotlight.h"
+#include "core/path/grid_spotlight.h"
 
 #include "core/path/camera_rays.h"
 
