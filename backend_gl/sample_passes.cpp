@@ -3,6 +3,7 @@
 #include "core/path/camera_rays.h"
 #include "core/path/grid_spotlight.h"
 #include "core/path/shadow_frustum.h"
+#include "core/path/sub_pixel.h"
 
 #include <algorithm>
 

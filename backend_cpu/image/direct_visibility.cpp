@@ -5,6 +5,7 @@
 #include "core/base/denormals.h"
 #include "core/grid/repeated.h"
 #include "core/path/fetch_surface.h"
+#include "core/path/sub_pixel.h"
 #include "core/trace/intersect.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "core/check/compare_structure.h"
 #include "core/frame/forwarding_backend.h"
 #include "core/frame/renderer.h"
-#include "core/path/camera_rays.h"
+#include "core/path/sub_pixel.h"
 
 #include <algorithm>
 #include <array>

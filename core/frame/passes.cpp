@@ -2,6 +2,7 @@
 
 #include "core/frame/compact.h"
 #include "core/path/fetch_surface.h"
+#include "core/path/sub_pixel.h"
 #include "core/trace/offset.h"
 #include "shaders/shared/glossy_reflection.h"
 #include "shaders/shared/random.h"

@@ -1,16 +1,9 @@
 #include "core/path/camera_rays.h"
 
-#include "shaders/shared/random.h"
-
 #include <cmath>
 #include <numbers>
 
 namespace dirt {
-
-glm::vec2 subPixelOffset(uint32_t sample, uint32_t seed) {
-    return {randomUnit(kAllPixels, sample, 0, kDimensionPixelX, seed),
-            randomUnit(kAllPixels, sample, 0, kDimensionPixelY, seed)};
-}
 
 CameraRays::CameraRays(const Camera& camera, int width, int height, ViewMode mode, float scale) {
     const double slopeY = std::tan(camera.verticalFov * (std::numbers::pi / 360.0));

@@ -11,9 +11,6 @@
 
 namespace dirt {
 
-/// Sub-pixel offset in [0, 1)^2 that all pixels of a sample share (box filter).
-glm::vec2 subPixelOffset(uint32_t sample, uint32_t seed);
-
 /// Rays through the pixels of an image, from the eye, in the grid frame. Pixel (0, 0) is top left,
 /// its centre (0.5, 0.5). In single mode the direction is (x, y, 1), x and y the pixel's slopes; in
 /// full mode it is the same direction on world axes, not of unit length.

@@ -24,13 +24,30 @@ DIRT_FUNCTION Lobes lobesOf(SurfacePoint point, uint model) {
 
 /// The shading normal, tilted where an interpolated one turns away from the viewer, \p v, who sees
 /// the surface nevertheless.
-DIRT_FUNCTION vec3 normalSeenFrom(SurfacePoint point, vec3 v) {
+DIRT_FUNCTION vec3 tiltedTowards(vec3 v, SurfacePoint point) {
     float cosine = dotProduct(point.shadingNormal, v);
     if (cosine >= kLeastCosine) return point.shadingNormal;
     DIRT_PRECISE vec3 tilted = point.shadingNormal + v * (kLeastCosine - cosine);
     // Both lie on one side of the surface, so the sum vanishes at its horizon only.
     if (!(dotProduct(tilted, tilted) > 1e-12f)) return point.geometricNormal;
     return unitVector(tilted);
+}
+
+/// The same, bent where it would mirror \p v into the surface: what is mirrored is lifted to the
+/// height of kLeastCosine twice, and the normal stands half way to it. Its cosine to \p v is then
+/// the half of the length of their sum, at least half of the sum of their heights, and so
+/// kLeastCosine but for rounding. A normal of the triangle itself mirrors to where the viewer is,
+/// and stays.
+DIRT_FUNCTION vec3 normalSeenFrom(SurfacePoint point, vec3 v) {
+    vec3 normal = tiltedTowards(v, point);
+    DIRT_PRECISE vec3 mirrored = normal * (2.0f * dotProduct(normal, v)) - v;
+    float height = dotProduct(point.geometricNormal, mirrored);
+    float viewer = dotProduct(point.geometricNormal, v);
+    const float least = 2.0f * kLeastCosine;
+    if (height >= least || height >= 0.5f * viewer) return normal;
+    DIRT_PRECISE vec3 lifted = mirrored + point.geometricNormal * (least - height);
+    DIRT_PRECISE vec3 both = v + unitVector(lifted);
+    return unitVector(both);
 }
 
 /// A local frame and the direction to the viewer in it.

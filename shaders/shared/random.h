@@ -7,8 +7,6 @@
 DIRT_SHARED_BEGIN
 
 /// Dimensions of one path event.
-const uint kDimensionPixelX = 0u; ///< event 0: sub-pixel offset
-const uint kDimensionPixelY = 1u;
 const uint kDimensionLensU = 2u; ///< event 0: where the lens is passed
 const uint kDimensionLensV = 3u;
 const uint kDimensionScatterU = 0u; ///< events from 1: direction of the ray
@@ -17,7 +15,7 @@ const uint kDimensionLobe = 2u;     ///< which lobe chooses it
 const uint kDimensionFacet = 3u;    ///< a third number for microfacets
 const uint kDimensionRoulette = 4u; ///< whether the path goes on
 
-/// The "pixel" of numbers that all pixels of a sample share.
+/// The "pixel" of numbers that all pixels share.
 const uint kAllPixels = 0xffffffffu;
 
 /// M. Jarzynski and M. Olano, Hash Functions for GPU Rendering, JCGT 9(3), 2020.

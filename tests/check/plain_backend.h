@@ -4,6 +4,7 @@
 #include "core/frame/shadow_raster.h"
 #include "core/grid/scan.h"
 #include "core/path/fetch_surface.h"
+#include "core/path/sub_pixel.h"
 #include "core/trace/traverse.h"
 
 namespace dirt::test {

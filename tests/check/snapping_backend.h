@@ -3,6 +3,7 @@
 #include "core/frame/forwarding_backend.h"
 #include "core/frame/passes.h"
 #include "core/path/fetch_surface.h"
+#include "core/path/sub_pixel.h"
 #include "core/trace/intersect.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "backend_cpu/thread_pool.h"
 #include "core/frame/renderer.h"
 #include "core/path/camera_rays.h"
+#include "core/path/sub_pixel.h"
 #include "core/trace/intersect.h"
 #include "tests/cpu/surface_points.h"
 #include "tests/frame/shapes.h"

@@ -3,6 +3,7 @@
 #include "backend_cpu/cpu_backend.h"
 #include "core/frame/renderer.h"
 #include "core/path/camera_rays.h"
+#include "core/path/sub_pixel.h"
 #include "core/trace/holes.h"
 #include "core/trace/traverse.h"
 #include "tests/frame/shapes.h"

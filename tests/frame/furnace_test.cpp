@@ -2,6 +2,7 @@
 
 #include "backend_cpu/cpu_backend.h"
 #include "core/frame/renderer.h"
+#include "shaders/shared/random.h"
 #include "tests/frame/shapes.h"
 
 #include <gtest/gtest.h>
@@ -100,6 +101,36 @@ TEST(Furnace, MirrorShowsTheSkyTimesFresnel) {
     // The centre's cosine is 6 / sqrt(37): F - F0 is (1 - F0) (1 - cos)^5, below 2e-10.
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(image.pixels[16 * 48 + 24][c], metal.diffuse[c], kRounding);
+}
+
+/// Bumps and interpolated normals turn what mirrors as far as they like, and none of it is lost in
+/// the surface; what leaves it meets nothing else.
+TEST(Furnace, MirrorsKeepTheirLightWhateverTheirNormals) {
+    Material mirror = test::material(glm::vec3(1.0f));
+    mirror.reflectance = mirror.metallic = 1.0f;
+    mirror.roughness = 0.0f;
+    Scene plate;
+    plate.materials = {mirror};
+    plate.materials[0].bumpMap = 0;
+    plate.materials[0].bumpScale = 4.0f;
+    std::vector<float> heights;
+    for (uint32_t i = 0; i < 64 * 64; ++i) heights.push_back(randomUnit(i, 0, 0, 0, 0));
+    plate.scalarTextures = {ScalarTexture("noise", 64, 64, std::move(heights))};
+    test::addQuad(plate.mesh, {-10, 0, -10}, {20, 0, 0}, {0, 0, 20}, 0);
+    plate.mesh.texcoords = {{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+    plate.mesh.texcoordIndices = {{0, 1, 2}, {0, 2, 3}};
+    plate.camera.eye = {0, 1.2f, 9};
+    plate.camera.target = {0, 0, 0};
+    Scene ball; // of few and large triangles, to whose rim interpolated normals turn away
+    ball.materials = {mirror};
+    test::addSphere(ball.mesh, glm::vec3(0.0f), 1.0f, 5, true, 0);
+    ball.camera.eye = {0, 0.5f, 3};
+    ball.camera.target = {0, 0, 0};
+    for (Scene* scene : {&plate, &ball}) {
+        scene->background = glm::vec3(1.0f);
+        const Image image = render(*scene, settings(ViewMode::full, 8));
+        for (const glm::vec3& pixel : image.pixels) ASSERT_NEAR(pixel.x, 1.0, kRounding);
+    }
 }
 
 /// Each event adds what the walls emit, as long as the path goes on: nothing may leak or fade.

@@ -302,12 +302,12 @@ TEST(CheckPasses, CatchesFaultsOfVisibility) {
     }
     expectCaught({"visibility.comp",
                   "hits[i].primitive != kNoPrimitive",
-                  "hits[i].primitive != kNoPrimitive && (firstPixel + i) % 7u != 3u",
+                  "hits[i].primitive != kNoPrimitive && (firstPixel + i) % 3u != 0u",
                   "Visibility",
                   {"visibility"},
-                  [](const Truth& t, int k, size_t i) {
+                  [](const Truth& t, int k, size_t i) { // few points are in shadow
                       return t.lit[(size_t) k][i] && !t.events[(size_t) k].visibility[i] &&
-                             isThird(i);
+                             i % 3 == 0;
                   },
                   0});
 }

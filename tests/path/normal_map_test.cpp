@@ -3,6 +3,8 @@
 
 #include "core/path/fetch_surface.h"
 #include "shaders/shared/glossy_reflection.h"
+#include "shaders/shared/random.h"
+#include "shaders/shared/surface.h"
 #include "tests/frame/shapes.h"
 
 #include <cfloat>
@@ -188,6 +190,55 @@ TEST(DiffuseMaps, AreMultipliedByFactorAndVertexColours) {
               glm::vec3(0.25f * 0.75f, 0.5f * 0.5f, 0.25f * 0.625f));
     scene.materials[0].diffuseMap = kNoTexture;
     EXPECT_EQ(pointOf(scene, kTowards, 0.25f, 0.5f).diffuse, 0.5f * glm::vec3(0.75f, 0.5f, 0.625f));
+}
+
+/// A point whose shading normal is any, seen from anywhere in front of its surface.
+SurfacePoint anyPoint(uint32_t i, glm::vec3 v) {
+    const auto direction = [i](uint32_t k) {
+        return glm::vec3(randomUnit(i, k, 0, 0, 0), randomUnit(i, k, 0, 1, 0),
+                         randomUnit(i, k, 0, 2, 0)) *
+                   2.0f -
+               1.0f;
+    };
+    SurfacePoint point;
+    point.geometricNormal = facing(directionOf(direction(0)), v);
+    point.shadingNormal = shadingNormalFrom(direction(1), point.geometricNormal);
+    return point;
+}
+
+TEST(NormalSeenFrom, MirrorsOutOfTheSurface) {
+    int kept = 0, bent = 0;
+    for (uint32_t i = 0; i < 100000; ++i) {
+        glm::vec3 v =
+            directionOf({randomUnit(i, 2, 0, 0, 0) - 0.5f, randomUnit(i, 2, 0, 1, 0) - 0.5f,
+                         randomUnit(i, 2, 0, 2, 0) - 0.5f});
+        SurfacePoint point = anyPoint(i, v);
+        if (i % 4 == 0) // at grazing angles
+            v = directionOf(v -
+                            point.geometricNormal * (glm::dot(point.geometricNormal, v) *
+                                                     (1.0f - randomUnit(i, 3, 0, 0, 0) * 0x1p-8f)));
+        const glm::vec3 g = point.geometricNormal;
+        const float viewer = glm::dot(g, v);
+        if (!(viewer > 0x1p-20f)) continue;
+        const glm::vec3 n = normalSeenFrom(point, v);
+        const glm::vec3 mirrored = n * (2.0f * glm::dot(n, v)) - v;
+        EXPECT_GE(glm::dot(n, v), 0.999f * kLeastCosine) << i;
+        EXPECT_GT(glm::dot(g, mirrored), 0.25f * std::min(viewer, 2 * kLeastCosine)) << i;
+        EXPECT_NEAR(glm::length(n), 1.0f, 4 * FLT_EPSILON);
+        const glm::vec3 before = point.shadingNormal;
+        const bool seen = glm::dot(before, v) >= kLeastCosine;
+        const glm::vec3 was = before * (2.0f * glm::dot(before, v)) - v;
+        if (seen && glm::dot(g, was) >= 2 * kLeastCosine) {
+            EXPECT_EQ(n, before); // nothing to mend
+            ++kept;
+        } else {
+            ++bent;
+        }
+        point.shadingNormal = g;
+        if (viewer >= kLeastCosine) EXPECT_EQ(normalSeenFrom(point, v), g) << i;
+    }
+    EXPECT_GT(kept, 10000);
+    EXPECT_GT(bent, 10000);
 }
 
 } // namespace

@@ -102,6 +102,46 @@ TEST(Spotlight, FluxIsWhatTheConeEmits) {
     }
 }
 
+/// The power of a light at the origin by the midpoint rule, over directions (x, -1, z) of a square
+/// that holds its beam: each has a solid angle of (1 + x^2 + z^2)^-3/2.
+double powerOf(Spotlight description) {
+    description.position = {0, 0, 0};
+    description.target = {0, -1, 0};
+    const GridSpotlight light = makeGridSpotlight(description, GridFrame{});
+    const int n = 1000;
+    const double reach = 1.001 * std::tan(description.aperture * kPi / 360.0), step = 2 * reach / n;
+    double power = 0.0;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            const double x = (i + 0.5) * step - reach, z = (j + 0.5) * step - reach;
+            const double squared = 1.0 + x * x + z * z;
+            // irradiance is intensity over the squared distance
+            power += sampleSpotlight(light, glm::vec3(x, -1.0, z)).irradiance.x * step * step /
+                     std::sqrt(squared);
+        }
+    return power;
+}
+
+TEST(Spotlight, PowerIsFluxLessTheFallOff) {
+    Spotlight light;
+    light.flux = 10.0f;
+    light.aperture = light.penumbra = 70.0f;
+    EXPECT_NEAR(powerOf(light), 10.0,
+                0.02); // some of the 3000 cells at the border are counted whole
+    light.penumbra = 0.0f;
+    light.exponent = 2.0f;
+    EXPECT_NEAR(powerOf(light), 10.0 / 3.0, 1e-3);
+    light.penumbra = 30.0f;
+    light.exponent = 1.0f;
+    const double all = 1.0 - std::cos(35.0 * kPi / 180.0),
+                 even = 1.0 - std::cos(15.0 * kPi / 180.0);
+    EXPECT_NEAR(powerOf(light), 10.0 * (even + (all - even) / 2.0) / all, 1e-3);
+    light.aperture = light.penumbra = 60.0f;
+    light.conical = false;
+    const double corner = std::asin(0.25), outer = 1.0 - std::cos(kPi / 6.0);
+    EXPECT_NEAR(powerOf(light), 10.0 * 4.0 * corner / (2.0 * kPi * outer), 0.02); // 12.0
+}
+
 TEST(Spotlight, SquareFrustum) {
     Spotlight description = lightAbove();
     description.conical = false;
