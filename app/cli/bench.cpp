@@ -151,22 +151,22 @@ void runFrame(const BenchOptions&) {
 
 } // namespace
 
-void addBench(CLI::App& program, int& status) {
-    CLI::App* command = program.add_subcommand("bench", "measures speed and memory");
-    command->require_subcommand(1);
-    CLI::App* frame = command->add_subcommand("frame", "each part of a frame beside Embree's time");
+void addBench(Command program, int& status) {
+    const Command command = program.addCommand("bench", "measures speed and memory");
+    command.requireCommand();
+    const Command frame = command.addCommand("frame", "each part of a frame beside Embree's time");
     const auto options = std::make_shared<BenchOptions>();
-    frame->add_option("SCENE", options->scenes, ".scene or .obj files")->required();
-    addSettingsOptions(*frame, options->common);
-    addInteger(*frame, "--rounds", 1, 1000, "measured, after one that is not (default: 9)",
+    frame.addTexts("SCENE", options->scenes, ".scene or .obj files").required();
+    addSettingsOptions(frame, options->common);
+    addInteger(frame, "--rounds", 1, 1000, "measured, after one that is not (default: 9)",
                [options](int64_t n) { options->rounds = (int) n; });
-    frame->add_flag("--json", options->json, "print one JSON object on standard output");
-    frame->callback([options, &status] {
+    frame.addFlag("--json", options->json, "print one JSON object on standard output");
+    frame.onRun([options, &status] {
         runFrame(*options);
         status = 0;
     });
-    addBenchTradeoff(*command, status);
-    addBenchScaling(*command, status);
+    addBenchTradeoff(command, status);
+    addBenchScaling(command, status);
 }
 
 } // namespace dirt

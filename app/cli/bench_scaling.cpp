@@ -176,21 +176,21 @@ void runScaling(const ScalingCommand&) {
 
 } // namespace
 
-void addBenchScaling(CLI::App& bench, int& status) {
-    CLI::App* command =
-        bench.add_subcommand("scaling", "time against triangles and resolution, on the atrium");
+void addBenchScaling(Command bench, int& status) {
+    const Command command =
+        bench.addCommand("scaling", "time against triangles and resolution, on the atrium");
     const auto options = std::make_shared<ScalingCommand>();
-    addSettingsOptions(*command, options->common);
-    command->add_option("-o", options->directory, "folder for tables and plots")
-        ->type_name("DIR")
-        ->required();
-    addInteger(*command, "--rounds", 1, 1000, "measured, after one that is not (default: 9)",
+    addSettingsOptions(command, options->common);
+    command.addText("-o", options->directory, "folder for tables and plots")
+        .typeName("DIR")
+        .required();
+    addInteger(command, "--rounds", 1, 1000, "measured, after one that is not (default: 9)",
                [options](int64_t n) { options->rounds = (int) n; });
-    addInteger(*command, "--most", 10'000, 10'000'000,
+    addInteger(command, "--most", 10'000, 10'000'000,
                "triangles of the largest scene (default: 10000000)",
                [options](int64_t n) { options->mostTriangles = n; });
-    command->add_flag("--json", options->json, "print one JSON object on standard output");
-    command->callback([options, &status] {
+    command.addFlag("--json", options->json, "print one JSON object on standard output");
+    command.onRun([options, &status] {
         runScaling(*options);
         status = 0;
     });

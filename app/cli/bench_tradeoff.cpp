@@ -201,32 +201,31 @@ void runTradeoff(const TradeoffCommand&) {
 
 } // namespace
 
-void addBenchTradeoff(CLI::App& bench, int& status) {
-    CLI::App* command =
-        bench.add_subcommand("tradeoff", "time, memory and error against each choice");
+void addBenchTradeoff(Command bench, int& status) {
+    const Command command =
+        bench.addCommand("tradeoff", "time, memory and error against each choice");
     const auto options = std::make_shared<TradeoffCommand>();
-    addCommonOptions(*command, options->common);
-    command->add_option("-o", options->directory, "folder for tables, plots and pictures")
-        ->type_name("DIR")
-        ->required();
-    addInteger(*command, "--rounds", 1, 1000, "measured, after one that is not (default: 9)",
+    addCommonOptions(command, options->common);
+    command.addText("-o", options->directory, "folder for tables, plots and pictures")
+        .typeName("DIR")
+        .required();
+    addInteger(command, "--rounds", 1, 1000, "measured, after one that is not (default: 9)",
                [options](int64_t n) { options->rounds = (int) n; });
-    CLI::Option* samples = addInteger(*command, "--error-spp", 1, 1 << 20,
+    const Option samples = addInteger(command, "--error-spp", 1, 1 << 20,
                                       "samples of the images whose error is taken (default: 64)",
                                       [options](int64_t n) { options->samples = (int) n; });
-    CLI::Option* referenceSamples = addInteger(
-        *command, "--reference-spp", 1, 1 << 20, "samples of the reference (default: 1024)",
+    const Option referenceSamples = addInteger(
+        command, "--reference-spp", 1, 1 << 20, "samples of the reference (default: 1024)",
         [options](int64_t n) { options->referenceSamples = (int) n; });
-    CLI::Option* references = command
-                                  ->add_option("--references", options->references,
-                                               "folder that has the references, or is to keep them")
-                                  ->type_name("DIR");
-    command
-        ->add_option("--errors", options->errors, "take the errors from the JSON of an earlier run")
-        ->type_name("FILE")
-        ->excludes(samples, referenceSamples, references);
-    command->add_flag("--json", options->json, "print one JSON object on standard output");
-    command->callback([options, &status] {
+    const Option references = command
+                                  .addText("--references", options->references,
+                                           "folder that has the references, or is to keep them")
+                                  .typeName("DIR");
+    command.addText("--errors", options->errors, "take the errors from the JSON of an earlier run")
+        .typeName("FILE")
+        .excludes({samples, referenceSamples, references});
+    command.addFlag("--json", options->json, "print one JSON object on standard output");
+    command.onRun([options, &status] {
         runTradeoff(*options);
         status = 0;
     });

@@ -127,15 +127,15 @@ bool runCheck(const CheckOptions& options) {
 
 } // namespace
 
-void addCheck(CLI::App& program, int& status) {
-    CLI::App* command = program.add_subcommand(
+void addCheck(Command program, int& status) {
+    const Command command = program.addCommand(
         "check", "runs every pass on two backends, from the same buffers, and compares them");
     const auto options = std::make_shared<CheckOptions>();
-    addCommonOptions(*command, options->common);
-    command->add_option("--backends", options->backends, "two of cpu, gl, embree (default: cpu,gl)")
-        ->delimiter(',');
-    command->add_flag("--json", options->json, "print one JSON object on standard output");
-    command->callback([options, &status] { status = runCheck(*options) ? 0 : 1; });
+    addCommonOptions(command, options->common);
+    command.addTexts("--backends", options->backends, "two of cpu, gl, embree (default: cpu,gl)")
+        .commaSeparated();
+    command.addFlag("--json", options->json, "print one JSON object on standard output");
+    command.onRun([options, &status] { status = runCheck(*options) ? 0 : 1; });
 }
 
 } // namespace dirt

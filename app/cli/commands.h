@@ -1,6 +1,6 @@
 #pragma once
 
-#include <CLI/App.hpp>
+#include "app/cli/command.h"
 
 namespace dirt {
 
@@ -9,39 +9,39 @@ namespace dirt {
 // status), and sets \p status otherwise: 0 done, 1 a check failed, 130 stopped by Ctrl-C.
 
 /// `dirt render SCENE`: renders an image.
-void addRender(CLI::App& program, int& status);
+void addRender(Command program, int& status);
 
 /// `dirt verify SCENE`: adjudicates rays exactly, beside Embree.
-void addVerify(CLI::App& program, int& status);
+void addVerify(Command program, int& status);
 
 /// `dirt check SCENE`: two backends against each other, buffer by buffer.
-void addCheck(CLI::App& program, int& status);
+void addCheck(Command program, int& status);
 
 /// `dirt compare A B`: figures of how much two images differ.
-void addCompare(CLI::App& program, int& status);
+void addCompare(Command program, int& status);
 
 /// `dirt bench frame SCENE…`: times beside Embree's.
-void addBench(CLI::App& program, int& status);
+void addBench(Command program, int& status);
 
 /// `dirt bench tradeoff SCENE`: time, memory and error against each choice.
-void addBenchTradeoff(CLI::App& bench, int& status);
+void addBenchTradeoff(Command bench, int& status);
 
 /// `dirt bench scaling`: time against triangles and resolution.
-void addBenchScaling(CLI::App& bench, int& status);
+void addBenchScaling(Command bench, int& status);
 
 /// `dirt info SCENE`: what a scene holds and what its structure costs.
-void addInfo(CLI::App& program, int& status);
+void addInfo(Command program, int& status);
 
 /// `dirt dump SCENE`: writes the buffers of a frame.
-void addDump(CLI::App& program, int& status);
+void addDump(Command program, int& status);
 
 /// `dirt explain SCENE`: one pixel's path, ray by ray; a tile's lists; a primitive's tiles.
-void addExplain(CLI::App& program, int& status);
+void addExplain(Command program, int& status);
 
 /// `dirt preview SCENE`: a buffer as a picture.
-void addPreview(CLI::App& program, int& status);
+void addPreview(Command program, int& status);
 
 /// `dirt generate NAME`: writes a procedural scene's geometry.
-void addGenerate(CLI::App& program, int& status);
+void addGenerate(Command program, int& status);
 
 } // namespace dirt

@@ -173,15 +173,15 @@ bool runCompare(const CompareOptions& options) {
 
 } // namespace
 
-void addCompare(CLI::App& program, int& status) {
-    CLI::App* command = program.add_subcommand(
+void addCompare(Command program, int& status) {
+    const Command command = program.addCommand(
         "compare", "RMSE, relative MSE, PSNR, largest difference and FLIP of two images");
     const auto options = std::make_shared<CompareOptions>();
-    command->add_option("A", options->image, "image: two PNGs, or two EXRs")->required();
-    command->add_option("B", options->reference, "the reference it is compared with")->required();
-    command->add_option("--diff", options->diff, "write FLIP per pixel in false colours: a PNG");
-    command->add_flag("--json", options->json, "print one JSON object on standard output");
-    command->callback([options, &status] { status = runCompare(*options) ? 0 : 1; });
+    command.addText("A", options->image, "image: two PNGs, or two EXRs").required();
+    command.addText("B", options->reference, "the reference it is compared with").required();
+    command.addText("--diff", options->diff, "write FLIP per pixel in false colours: a PNG");
+    command.addFlag("--json", options->json, "print one JSON object on standard output");
+    command.onRun([options, &status] { status = runCompare(*options) ? 0 : 1; });
 }
 
 } // namespace dirt

@@ -298,21 +298,20 @@ int runDump(const DumpOptions& options) {
 
 } // namespace
 
-void addDump(CLI::App& program, int& status) {
-    CLI::App* command =
-        program.add_subcommand("dump", "writes the buffers of a frame's first sample as EXR");
+void addDump(Command program, int& status) {
+    const Command command =
+        program.addCommand("dump", "writes the buffers of a frame's first sample as EXR");
     const auto options = std::make_shared<DumpOptions>();
-    addCommonOptions(*command, options->common);
-    command
-        ->add_option("--buffers", options->buffers, "of " + Selection::list() + " (default: all)")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    command->add_option("-o,--output", options->folder, "folder for the files; made if need be")
-        ->required();
-    addInteger(*command, "--event", 0, 1023, "only this path event (default: all)",
+    addCommonOptions(command, options->common);
+    command.addTexts("--buffers", options->buffers, "of " + Selection::list() + " (default: all)")
+        .commaSeparated()
+        .oneWord();
+    command.addText("-o,--output", options->folder, "folder for the files; made if need be")
+        .required();
+    addInteger(command, "--event", 0, 1023, "only this path event (default: all)",
                [options](int64_t k) { options->event = (int) k; });
-    command->add_flag("--json", options->json, "print the manifest on standard output");
-    command->callback([options, &status] { status = runDump(*options); });
+    command.addFlag("--json", options->json, "print the manifest on standard output");
+    command.onRun([options, &status] { status = runDump(*options); });
 }
 
 } // namespace dirt

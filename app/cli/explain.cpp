@@ -152,56 +152,42 @@ int runExplain(const ExplainOptions& options) {
 
 /// --tile has two meanings here, and may be given twice: N pixels, as everywhere, and VIEW,X,Y, the
 /// tile that is asked about.
-void addTile(CLI::App& command, ExplainOptions& options) {
-    CLI::Option* size = command.get_option("--tile");
-    const std::string help = size->get_description();
-    command.remove_option(size);
-    CommonOptions& common = options.common;
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--tile",
-            [&](const std::vector<std::string>& texts) {
-                for (const std::string& text : texts) {
-                    if (text.find(',') != text.npos) {
-                        const auto at = readIntegers("--tile", text, 3, 65535, "VIEW,X,Y");
-                        options.tile = std::array{at[0], at[1], at[2]};
-                    } else {
-                        common.tile = readIntegers("--tile", text, 1, 64, "N or VIEW,X,Y").front();
-                        common.given.emplace_back("--tile");
-                        if (*common.tile == 0)
-                            throw CLI::ValidationError("--tile",
-                                                       "'0' is not a number from 1 to 64");
-                    }
-                }
-            },
-            help + "; VIEW,X,Y: what that tile lists")
-        ->type_name("N|VIEW,X,Y")
-        ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+void addTile(Command command, ExplainOptions& options) {
+    const auto read = [&options, &common = options.common](const std::string& text) {
+        if (text.find(',') != text.npos) {
+            const auto at = readIntegers("--tile", text, 3, 65535, "VIEW,X,Y");
+            options.tile = std::array{at[0], at[1], at[2]};
+        } else {
+            common.tile = readIntegers("--tile", text, 1, 64, "N or VIEW,X,Y").front();
+            common.given.emplace_back("--tile");
+            if (*common.tile == 0) throw InputError("--tile: '0' is not a number from 1 to 64");
+        }
+    };
+    command.replaceByReader("--tile", "N|VIEW,X,Y", "; VIEW,X,Y: what that tile lists", read);
 }
 
 } // namespace
 
-void addExplain(CLI::App& program, int& status) {
-    CLI::App* command = program.add_subcommand(
+void addExplain(Command program, int& status) {
+    const Command command = program.addCommand(
         "explain",
         "what happened to a pixel: its path, each ray's way through the grid, each test; "
         "or what a tile lists, or where a primitive is listed");
     const auto options = std::make_shared<ExplainOptions>();
-    addCommonOptions(*command, options->common);
-    addTile(*command, *options);
-    addIntegers(*command, "--pixel", 2, 65535, "X,Y", "from the top left, counted from 0",
+    addCommonOptions(command, options->common);
+    addTile(command, *options);
+    addIntegers(command, "--pixel", 2, 65535, "X,Y", "from the top left, counted from 0",
                 [options](const std::vector<int>& at) {
                     options->pixel = std::array{at[0], at[1]};
                 });
-    addInteger(*command, "--primitive", 0, kNoPrimitive - 1, "where a triangle is listed",
+    addInteger(command, "--primitive", 0, kNoPrimitive - 1, "where a triangle is listed",
                [options](int64_t id) { options->primitive = id; });
-    addInteger(*command, "--sample", 0, 0x7fffffff, "of the pixel (default: 0)",
+    addInteger(command, "--sample", 0, 0x7fffffff, "of the pixel (default: 0)",
                [options](int64_t n) { options->sample = (uint32_t) n; });
-    addInteger(*command, "--event", 0, 1023, "only this path event (default: all)",
+    addInteger(command, "--event", 0, 1023, "only this path event (default: all)",
                [options](int64_t k) { options->event = (int) k; });
-    command->add_flag("--json", options->json, "print JSON");
-    command->callback([options, &status] { status = runExplain(*options); });
+    command.addFlag("--json", options->json, "print JSON");
+    command.onRun([options, &status] { status = runExplain(*options); });
 }
 
 } // namespace dirt

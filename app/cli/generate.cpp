@@ -54,15 +54,15 @@ void runGenerate(const GenerateOptions& options) {
 
 } // namespace
 
-void addGenerate(CLI::App& program, int&) {
-    CLI::App* command = program.add_subcommand("generate", "writes a procedural scene");
+void addGenerate(Command program, int&) {
+    const Command command = program.addCommand("generate", "writes a procedural scene");
     const auto options = std::make_shared<GenerateOptions>();
-    command->add_option("NAME", options->name, "which one");
-    addInteger(*command, "--detail", 1, 1'000'000'000, "about how many triangles",
+    command.addText("NAME", options->name, "which one");
+    addInteger(command, "--detail", 1, 1'000'000'000, "about how many triangles",
                [options](int64_t n) { options->detail = (double) n; });
-    command->add_option("-o", options->directory, "folder to write to")->type_name("DIR");
-    command->add_flag("--list", options->list, "print what there is");
-    command->callback([options] { runGenerate(*options); });
+    command.addText("-o", options->directory, "folder to write to").typeName("DIR");
+    command.addFlag("--list", options->list, "print what there is");
+    command.onRun([options] { runGenerate(*options); });
 }
 
 } // namespace dirt

@@ -371,22 +371,15 @@ void printDevices() {
 
 } // namespace
 
-void addInfo(CLI::App& program, int&) {
-    CLI::App* command =
-        program.add_subcommand("info", "what a scene holds, and what its structure costs");
+void addInfo(Command program, int&) {
+    const Command command =
+        program.addCommand("info", "what a scene holds, and what its structure costs");
     const auto options = std::make_shared<InfoOptions>();
-    addCommonOptions(*command, options->common);
-    command->add_flag("--json", options->json, "print one JSON object on standard output");
-    command
-        ->add_flag_callback(
-            "--devices",
-            [] {
-                printDevices();
-                throw CLI::Success(); // no scene is needed
-            },
-            "list the devices of --backend gl, and nothing else")
-        ->trigger_on_parse();
-    command->callback([options] { runInfo(*options); });
+    addCommonOptions(command, options->common);
+    command.addFlag("--json", options->json, "print one JSON object on standard output");
+    command.addAction("--devices", "list the devices of --backend gl, and nothing else",
+                      printDevices);
+    command.onRun([options] { runInfo(*options); });
 }
 
 } // namespace dirt

@@ -10,7 +10,7 @@ namespace dirt {
 
 namespace {
 
-enum Command : unsigned {
+enum CommandBit : unsigned {
     kRender = 1,
     kInfo = 2,
     kDump = 4,
@@ -73,8 +73,8 @@ constexpr Scope kScopes[] = {
     {"--materials", kShading, kAny},
 };
 
-Command commandOf(const std::string& name) {
-    constexpr std::pair<std::string_view, Command> kNames[] = {
+CommandBit commandOf(const std::string& name) {
+    constexpr std::pair<std::string_view, CommandBit> kNames[] = {
         {"render", kRender},   {"info", kInfo},      {"dump", kDump},         {"check", kCheck},
         {"verify", kVerify},   {"frame", kFrame},    {"tradeoff", kTradeoff}, {"scaling", kScaling},
         {"explain", kExplain}, {"preview", kPreview}};
@@ -96,30 +96,23 @@ std::string backendText(const std::vector<BackendKind>& backends) {
     return text;
 }
 
-[[noreturn]] void refuse(std::string_view option, const std::string& with) {
-    throw InputError(std::string(option) + ": has no effect with " + with);
+/// \p where: "in dirt verify", "with --backend cpu".
+[[noreturn]] void refuse(std::string_view option, const std::string& where) {
+    throw InputError(std::string(option) + ": has no effect " + where);
 }
 
 } // namespace
 
-void limitOptions(CLI::App& command, CommonOptions& o) {
-    const CLI::App* parent = command.get_parent();
-    const bool nested = parent && parent->get_parent();
-    const std::string name =
-        (nested ? "dirt " + parent->get_name() + " " : "dirt ") + command.get_name();
-    o.sweeps = command.get_name() == "tradeoff";
+void limitOptions(Command command, CommonOptions& o) {
+    o.sweeps = command.name() == "tradeoff";
     for (const Scope& scope : kScopes) {
-        CLI::Option* option = command.get_option_no_throw(std::string(scope.option));
+        const std::optional<Option> option = command.find(std::string(scope.option));
         if (!option) continue;
-        if ((scope.commands & commandOf(command.get_name())) == 0) {
-            option->group(""); // not in the help
-            option->check([name, scope](const std::string&) -> std::string {
-                // CLI11's own errors name no option that is not in the help.
-                throw InputError(std::string(scope.option) + ": has no effect in " + name);
-            });
-        } else if (scope.backends != kAny) {
-            option->each([&o, scope](const std::string&) { o.given.emplace_back(scope.option); });
-        }
+        if ((scope.commands & commandOf(command.name())) == 0)
+            option->hide().onValue(
+                [path = command.path(), scope] { refuse(scope.option, "in " + path); });
+        else if (scope.backends != kAny)
+            option->onValue([&o, scope] { o.given.emplace_back(scope.option); });
     }
 }
 
@@ -131,17 +124,17 @@ void refuseIdleOptions(const CommonOptions& o) {
     for (const Scope& scope : kScopes)
         if ((scope.backends & used) == 0 && isGiven(o, scope.option) &&
             !(scope.isWhatTheyDo && scope.isWhatTheyDo(o)))
-            refuse(scope.option, backendText(backends));
+            refuse(scope.option, "with " + backendText(backends));
 }
 
 void refuseIdleOptions(const CommonOptions& o, const RenderSettings& settings) {
     if (o.sweeps) return; // other choices are made in turn
     if (settings.grid.mode == ViewMode::single && o.viewSize)
-        refuse("--view-size", "a single view, which has the image's size");
+        refuse("--view-size", "with a single view, which has the image's size");
     if (settings.grid.traversal == Traversal::linear && o.maxMip)
-        refuse("--max-mip", "--traversal linear, which uses no level but the lowest");
+        refuse("--max-mip", "with --traversal linear, which uses no level but the lowest");
     if (settings.rayType == RayType::visibility && o.bounces)
-        refuse("--bounces", "--ray-type visibility, which has two");
+        refuse("--bounces", "with --ray-type visibility, which has two");
 }
 
 } // namespace dirt

@@ -1,5 +1,6 @@
 #include "app/cli/option_values.h"
 
+#include "core/base/error.h"
 #include "core/io/number.h"
 
 #include <cctype>
@@ -21,25 +22,16 @@ bool parse(std::string_view text, Number& value) {
 
 [[noreturn]] void refuse(const std::string& name, const std::string& text,
                          const std::string& expected) {
-    throw CLI::ValidationError(name, "'" + text + "' is not " + expected);
-}
-
-using SetText = std::function<void(const std::string&)>;
-
-CLI::Option* addText(CLI::App& command, const std::string& name, const std::string& typeName,
-                     const std::string& help, const SetText& set) {
-    return command.add_option_function<std::string>(name, set, help)
-        ->type_name(typeName)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    throw InputError(name + ": '" + text + "' is not " + expected);
 }
 
 } // namespace
 
-CLI::Option* addInteger(CLI::App& command, const std::string& name, int64_t low, int64_t high,
-                        const std::string& help, std::function<void(int64_t)> set) {
+Option addInteger(Command command, const std::string& name, int64_t low, int64_t high,
+                  const std::string& help, std::function<void(int64_t)> set) {
     const std::string expected =
         "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-    return addText(command, name, "N", help, [=](const std::string& text) {
+    return command.addReader(name, "N", help, [=](const std::string& text) {
         int64_t value = 0;
         if (!parse(text, value) || value < low || value > high) refuse(name, text, expected);
         set(value);
@@ -63,31 +55,31 @@ std::vector<int> readIntegers(const std::string& name, const std::string& text, 
     return values;
 }
 
-CLI::Option* addIntegers(CLI::App& command, const std::string& name, size_t count, int high,
-                         const std::string& typeName, const std::string& help,
-                         std::function<void(const std::vector<int>&)> set) {
-    return addText(command, name, typeName, help, [=](const std::string& text) {
+Option addIntegers(Command command, const std::string& name, size_t count, int high,
+                   const std::string& typeName, const std::string& help,
+                   std::function<void(const std::vector<int>&)> set) {
+    return command.addReader(name, typeName, help, [=](const std::string& text) {
         set(readIntegers(name, text, count, high, typeName));
     });
 }
 
-CLI::Option* addNumber(CLI::App& command, const std::string& name, float low, float high,
-                       const std::string& help, std::function<void(float)> set) {
+Option addNumber(Command command, const std::string& name, float low, float high,
+                 const std::string& help, std::function<void(float)> set) {
     const auto show = [](float bound) {
         char text[32];
         return std::string(text, std::to_chars(text, text + sizeof text, bound).ptr);
     };
     const std::string expected = "a number between " + show(low) + " and " + show(high);
-    return addText(command, name, "NUMBER", help, [=](const std::string& text) {
+    return command.addReader(name, "NUMBER", help, [=](const std::string& text) {
         float value = 0.0f;
         if (!parse(text, value) || !(value > low && value < high)) refuse(name, text, expected);
         set(value);
     });
 }
 
-CLI::Option* addVector(CLI::App& command, const std::string& name, const std::string& help,
-                       std::function<void(glm::dvec3)> set) {
-    return addText(command, name, "X,Y,Z", help, [=](const std::string& text) {
+Option addVector(Command command, const std::string& name, const std::string& help,
+                 std::function<void(glm::dvec3)> set) {
+    return command.addReader(name, "X,Y,Z", help, [=](const std::string& text) {
         const std::string_view all = text;
         const size_t first = all.find(',');
         const size_t second = first == all.npos ? all.npos : all.find(',', first + 1);
@@ -100,23 +92,22 @@ CLI::Option* addVector(CLI::App& command, const std::string& name, const std::st
     });
 }
 
-CLI::Option* addChoice(CLI::App& command, const std::string& name,
-                       const std::vector<std::string>& words, const std::string& help,
-                       std::function<void(size_t)> set) {
+Option addChoice(Command command, const std::string& name, const std::vector<std::string>& words,
+                 const std::string& help, std::function<void(size_t)> set) {
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : "|") + word;
-    return addText(command, name, list, help, [=](const std::string& text) {
+    return command.addReader(name, list, help, [=](const std::string& text) {
         for (size_t i = 0; i < words.size(); ++i)
             if (text == words[i]) return set(i);
         refuse(name, text, "one of " + list);
     });
 }
 
-CLI::Option* addSize(CLI::App& command, const std::string& name, int high, const std::string& help,
-                     std::function<void(int width, int height)> set) {
+Option addSize(Command command, const std::string& name, int high, const std::string& help,
+               std::function<void(int width, int height)> set) {
     const std::string expected =
         "a size WxH of 1x1 to " + std::to_string(high) + "x" + std::to_string(high) + " pixels";
-    return addText(command, name, "WxH", help, [=](const std::string& text) {
+    return command.addReader(name, "WxH", help, [=](const std::string& text) {
         const std::string_view all = text;
         const size_t cross = all.find_first_of("xX");
         int width = 0, height = 0;
@@ -128,10 +119,10 @@ CLI::Option* addSize(CLI::App& command, const std::string& name, int high, const
     });
 }
 
-CLI::Option* addRange(CLI::App& command, const std::string& name, int high, const std::string& help,
-                      std::function<void(int first, int last)> set) {
+Option addRange(Command command, const std::string& name, int high, const std::string& help,
+                std::function<void(int first, int last)> set) {
     const std::string expected = "a range A:B, from 0 to " + std::to_string(high);
-    return addText(command, name, "A:B", help, [=](const std::string& text) {
+    return command.addReader(name, "A:B", help, [=](const std::string& text) {
         const std::string_view all = text;
         const size_t colon = all.find(':');
         int first = 0, last = 0;
@@ -142,9 +133,9 @@ CLI::Option* addRange(CLI::App& command, const std::string& name, int high, cons
     });
 }
 
-CLI::Option* addBytes(CLI::App& command, const std::string& name, const std::string& help,
-                      std::function<void(uint64_t)> set) {
-    return addText(command, name, "SIZE", help, [=](const std::string& text) {
+Option addBytes(Command command, const std::string& name, const std::string& help,
+                std::function<void(uint64_t)> set) {
+    return command.addReader(name, "SIZE", help, [=](const std::string& text) {
         constexpr std::string_view kUnits = "KMGT";
         std::string_view number = text;
         if (number.ends_with('B') || number.ends_with('b')) number.remove_suffix(1);

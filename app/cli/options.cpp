@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMaxSize = 65536;
 
-void addStructureOptions(CLI::App& command, CommonOptions& o) {
+void addStructureOptions(Command command, CommonOptions& o) {
     addChoice(command, "--backend", {"cpu", "gl", "embree"}, "what finds the hits (default: cpu)",
               [&o](size_t i) { o.backend = (BackendKind) i; });
     addInteger(
@@ -58,7 +58,7 @@ void addStructureOptions(CLI::App& command, CommonOptions& o) {
               [&o](size_t i) { o.precision = i == 0 ? Precision::exact : Precision::fast; });
 }
 
-void addImageOptions(CLI::App& command, CommonOptions& o) {
+void addImageOptions(Command command, CommonOptions& o) {
     addSize(command, "--size", kMaxSize, "image size (default: 1024x512)",
             [&o](int width, int height) {
                 o.size = ImageSize{width, height};
@@ -72,9 +72,8 @@ void addImageOptions(CLI::App& command, CommonOptions& o) {
               [&o](size_t i) { o.rayType = (RayType) i; });
     addInteger(command, "--seed", 0, 0xffffffffll, "of the random numbers (default: 0)",
                [&o](int64_t n) { o.seed = (uint32_t) n; });
-    command.add_option(
-        "--camera", o.camera,
-        "of a glTF file: which one, counted from 0, or its name (default: the first)");
+    command.addText("--camera", o.camera,
+                    "of a glTF file: which one, counted from 0, or its name (default: the first)");
     addVector(command, "--eye", "where the camera stands", [&o](glm::dvec3 v) { o.eye = v; });
     addVector(command, "--target", "what it looks at", [&o](glm::dvec3 v) { o.target = v; });
     addVector(command, "--up", "which way is up", [&o](glm::dvec3 v) { o.up = v; });
@@ -86,12 +85,12 @@ void addImageOptions(CLI::App& command, CommonOptions& o) {
 
 } // namespace
 
-void addCommonOptions(CLI::App& command, CommonOptions& o) {
-    command.add_option("SCENE", o.scene, "a .scene, .obj, .gltf or .glb file")->required();
+void addCommonOptions(Command command, CommonOptions& o) {
+    command.addText("SCENE", o.scene, "a .scene, .obj, .gltf or .glb file").required();
     addSettingsOptions(command, o);
 }
 
-void addSettingsOptions(CLI::App& command, CommonOptions& o) {
+void addSettingsOptions(Command command, CommonOptions& o) {
     addImageOptions(command, o);
     addStructureOptions(command, o);
     addInteger(command, "--threads", 1, 1024, "worker threads (default: all cores)",
@@ -100,10 +99,9 @@ void addSettingsOptions(CLI::App& command, CommonOptions& o) {
         command, "--memory",
         "memory that a scene may take: its files, and a frame (default: half of what there is)",
         [&o](uint64_t bytes) { o.memory = bytes; });
-    command.add_flag("--quiet", o.quiet, "print nothing but errors on standard error");
-    command.add_flag("--no-cache", o.noCache,
-                     "neither read nor leave caches of models (NAME.sbin)");
-    command.add_flag("--strict", o.strict, "take what the scene lacks as an error");
+    command.addFlag("--quiet", o.quiet, "print nothing but errors on standard error");
+    command.addFlag("--no-cache", o.noCache, "neither read nor leave caches of models (NAME.sbin)");
+    command.addFlag("--strict", o.strict, "take what the scene lacks as an error");
     addChoice(
         command, "--materials", {"demo", "wavefront"},
         "what the numbers of MTL files mean (default: demo for a .scene file's, wavefront for "

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/command.h"
 #include "core/frame/settings.h"
 #include "core/io/material_convention.h"
 #include "core/scene/scene.h"
@@ -9,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
 #include <glm/vec3.hpp>
 
 namespace dirt {
@@ -68,12 +68,12 @@ struct CommonOptions {
     std::vector<std::string> given; ///< options that not every backend honours
 };
 
-/// Adds SCENE and the common options to \p command. Values out of range end the parsing with a
-/// CLI::ValidationError. \p options must outlive the parsing.
-void addCommonOptions(CLI::App& command, CommonOptions& options);
+/// Adds SCENE and the common options to \p command. Values out of range end the parsing with an
+/// InputError. \p options must outlive the parsing.
+void addCommonOptions(Command command, CommonOptions& options);
 
 /// The same without SCENE, for commands that take several.
-void addSettingsOptions(CLI::App& command, CommonOptions& options);
+void addSettingsOptions(Command command, CommonOptions& options);
 
 /// \p settings (the scene file's over the defaults) with the options that were given on top.
 /// Throws InputError where the image, or the structure without its lists, would need more memory

@@ -76,29 +76,23 @@ int runPreview(const PreviewOptions& options) {
 
 } // namespace
 
-void addPreview(CLI::App& program, int& status) {
-    CLI::App* command =
-        program.add_subcommand("preview", "a buffer of the frame as a picture, in false colours");
+void addPreview(Command program, int& status) {
+    const Command command =
+        program.addCommand("preview", "a buffer of the frame as a picture, in false colours");
     const auto options = std::make_shared<PreviewOptions>();
-    addCommonOptions(*command, options->common);
-    command->add_option("--show", options->show, "what; --list names all (default: image)");
-    command->add_option("-o,--output", options->output, "a PNG file")->required();
-    addInteger(*command, "--level", 0, 13, "of the pyramid (default: 0, the tiles)",
+    addCommonOptions(command, options->common);
+    command.addText("--show", options->show, "what; --list names all (default: image)");
+    command.addText("-o,--output", options->output, "a PNG file").required();
+    addInteger(command, "--level", 0, 13, "of the pyramid (default: 0, the tiles)",
                [options](int64_t n) { options->level = (int) n; });
-    addInteger(*command, "--bin", 0, 255, "whose entries are counted (default: all)",
+    addInteger(command, "--bin", 0, 255, "whose entries are counted (default: all)",
                [options](int64_t n) { options->bin = (int) n; });
-    addInteger(*command, "--event", 0, 1023, "path event (default: 0)",
+    addInteger(command, "--event", 0, 1023, "path event (default: 0)",
                [options](int64_t k) { options->event = (int) k; });
-    addInteger(*command, "--sample", 0, 0x7fffffff, "(default: 0)",
+    addInteger(command, "--sample", 0, 0x7fffffff, "(default: 0)",
                [options](int64_t n) { options->sample = (int) n; });
-    command->add_flag_callback(
-        "--list",
-        [] {
-            list();
-            throw CLI::Success();
-        },
-        "what can be shown, and end");
-    command->callback([options, &status] { status = runPreview(*options); });
+    command.addAction("--list", "what can be shown, and end", list);
+    command.onRun([options, &status] { status = runPreview(*options); });
 }
 
 } // namespace dirt

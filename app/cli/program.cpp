@@ -53,16 +53,17 @@ int run(int argc, const char* const* argv) {
     program.get_formatter()->column_width(36);
 
     int status = kDone;
-    addRender(program, status);
-    addVerify(program, status);
-    addCheck(program, status);
-    addCompare(program, status);
-    addBench(program, status);
-    addInfo(program, status);
-    addDump(program, status);
-    addExplain(program, status);
-    addPreview(program, status);
-    addGenerate(program, status);
+    const Command root(&program);
+    addRender(root, status);
+    addVerify(root, status);
+    addCheck(root, status);
+    addCompare(root, status);
+    addBench(root, status);
+    addInfo(root, status);
+    addDump(root, status);
+    addExplain(root, status);
+    addPreview(root, status);
+    addGenerate(root, status);
 
     try {
         program.parse(argc, argv);

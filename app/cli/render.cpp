@@ -201,20 +201,20 @@ private:
 
 } // namespace
 
-void addRender(CLI::App& program, int& status) {
-    CLI::App* command = program.add_subcommand("render", "renders an image");
+void addRender(Command program, int& status) {
+    const Command command = program.addCommand("render", "renders an image");
     const auto options = std::make_shared<RenderOptions>();
-    addCommonOptions(*command, options->common);
-    command->add_option("-o,--output", options->output,
-                        "FILE.png or FILE.exr; default: the scene's name with .png, in the current "
-                        "folder");
-    addRange(*command, "--frames", kMaxFrame, "frames of an animated scene, as NAME.0007.png",
+    addCommonOptions(command, options->common);
+    command.addText("-o,--output", options->output,
+                    "FILE.png or FILE.exr; default: the scene's name with .png, in the current "
+                    "folder");
+    addRange(command, "--frames", kMaxFrame, "frames of an animated scene, as NAME.0007.png",
              [options](int first, int last) {
                  options->frames = FrameRange{first, last};
              });
-    command->add_option("--stats", options->stats, "write what the run measured to FILE.json");
-    command->add_flag("--json", options->json, "print the same on standard output");
-    command->callback([options, &status] { status = Render(*options).run(); });
+    command.addText("--stats", options->stats, "write what the run measured to FILE.json");
+    command.addFlag("--json", options->json, "print the same on standard output");
+    command.onRun([options, &status] { status = Render(*options).run(); });
 }
 
 } // namespace dirt

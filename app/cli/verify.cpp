@@ -62,22 +62,22 @@ bool runVerify(const VerifyOptions& options) {
 
 } // namespace
 
-void addVerify(CLI::App& program, int& status) {
-    CLI::App* command = program.add_subcommand(
+void addVerify(Command program, int& status) {
+    const Command command = program.addCommand(
         "verify", "casts rays through the structure and through Embree, and judges exactly");
     const auto options = std::make_shared<VerifyOptions>();
-    addCommonOptions(*command, options->common);
-    addInteger(*command, "--rays", 1, 100'000'000,
+    addCommonOptions(command, options->common);
+    addInteger(command, "--rays", 1, 100'000'000,
                "rays of each kind (default: 1000000; 1000 of each variant)",
                [options](int64_t n) { options->rays = (uint32_t) n; });
-    command->add_option("--kinds", options->kinds, "of " + rayKindNames() + " (default: all)")
-        ->delimiter(',');
-    command->add_flag("--extremes", options->extremes,
-                      "verify hard variants of the scene, at 64x64 pixels unless --size is given");
-    command->add_option("--only", options->only, "these variants alone, by their names")
-        ->delimiter(',');
-    command->add_flag("--json", options->json, "print one JSON object on standard output");
-    command->callback([options, &status] {
+    command.addTexts("--kinds", options->kinds, "of " + rayKindNames() + " (default: all)")
+        .commaSeparated();
+    command.addFlag("--extremes", options->extremes,
+                    "verify hard variants of the scene, at 64x64 pixels unless --size is given");
+    command.addTexts("--only", options->only, "these variants alone, by their names")
+        .commaSeparated();
+    command.addFlag("--json", options->json, "print one JSON object on standard output");
+    command.onRun([options, &status] {
         extremesOf(*options); // or there is an unknown one
         status = (options->extremes ? runExtremes(*options) : runVerify(*options)) ? 0 : 1;
     });

@@ -8,6 +8,8 @@
 
 #include <cstring>
 
+#include <nlohmann/json.hpp>
+
 namespace dirt {
 
 namespace {
@@ -33,8 +35,8 @@ GltfData::GltfData(const std::filesystem::path& file, const MemoryBudget& budget
     else
         json_ = bytes_;
     memory_.take(jsonBytes(json_), file_, "its JSON");
-    document_ = parseJson(file_, json_, !binary);
-    root_ = std::make_unique<JsonValue>(file_, document_);
+    document_ = std::make_unique<const nlohmann::json>(parseJson(file_, json_, !binary));
+    root_ = std::make_unique<JsonValue>(file_, *document_);
     const std::string version = root_->required("asset").text("version").value_or("");
     if (!version.starts_with("2."))
         failAt(file_, 0, "is of glTF version " + inQuotes(version) + "; 2.0 can be read");
@@ -44,6 +46,8 @@ GltfData::GltfData(const std::filesystem::path& file, const MemoryBudget& budget
     readBuffers();
     unpackViews();
 }
+
+GltfData::~GltfData() = default;
 
 /// A header of 12 bytes, then chunks: length, type, data. The first is JSON, the second, if there
 /// is one, the binary buffer.
@@ -72,7 +76,7 @@ void GltfData::readBinary(std::span<const std::byte> bytes) {
 
 void GltfData::checkExtensions() const {
     if (!root_->has("extensionsRequired")) return;
-    for (const auto& value : document_["extensionsRequired"]) {
+    for (const auto& value : (*document_)["extensionsRequired"]) {
         const std::string name = value.is_string() ? value.get<std::string>() : "";
         if (!knowsGltfExtension(name))
             failAt(file_, 0, "requires the extension " + inQuotes(name) + ", " + whyUnknown(name));

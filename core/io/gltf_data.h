@@ -24,6 +24,7 @@ public:
     /// refers to it.
     /// \p budget: for what is needed as long as this lives, and for elements while they are made.
     explicit GltfData(const std::filesystem::path& file, const MemoryBudget& budget = {});
+    ~GltfData();
     GltfData(const GltfData&) = delete; // values refer to the document
     GltfData& operator=(const GltfData&) = delete;
 
@@ -31,7 +32,7 @@ public:
     /// Takes what is needed as long as this lives.
     MemoryClaim& memory() const { return memory_; }
     const JsonValue& root() const { return *root_; }
-    const nlohmann::json& document() const { return document_; }
+    const nlohmann::json& document() const { return *document_; }
 
     /// The bytes of a buffer view, unpacked. \p from says what refers to it.
     std::span<const std::byte> view(uint64_t index, const JsonValue& from) const;
@@ -81,7 +82,7 @@ private:
     std::string bytes_;          ///< of the file
     std::string_view json_;
     std::span<const std::byte> binary_; ///< the chunk of a .glb
-    nlohmann::json document_;
+    std::unique_ptr<const nlohmann::json> document_;
     std::unique_ptr<JsonValue> root_;
     std::vector<JsonValue> accessors_, views_;
     std::vector<std::string> loaded_; ///< buffers that are not the chunk

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 namespace dirt {
 
 namespace {
@@ -32,6 +34,14 @@ std::string range(uint64_t highest) {
 
 void JsonValue::fail(const std::string& message) const {
     failAt(*file_, 0, (place_.empty() ? "the root" : place_) + " " + message);
+}
+
+bool JsonValue::isObject() const {
+    return value_->is_object();
+}
+
+bool JsonValue::has(const char* name) const {
+    return value_->contains(name);
 }
 
 std::optional<JsonValue> JsonValue::member(const char* name) const {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp> // json.hpp takes longer to compile than what uses a JsonValue
 
 namespace dirt {
 
@@ -20,8 +20,8 @@ public:
     JsonValue(const std::filesystem::path& file, const nlohmann::json& value)
         : file_(&file), value_(&value) {}
 
-    bool isObject() const { return value_->is_object(); }
-    bool has(const char* name) const { return value_->contains(name); }
+    bool isObject() const;
+    bool has(const char* name) const;
     /// An object's member; throws InputError where it is absent.
     JsonValue required(const char* name) const;
     /// A member that is an object.
