@@ -4,9 +4,9 @@
 #include "backend_cpu/trace/leaf_boxes.h"
 #include "backend_cpu/trace/leaf_test-inl.h"
 #include "backend_cpu/trace/tile_walk-inl.h"
+#include "core/verify/exact_number.h"
 #include "shaders/shared/margins.h"
 #include "tests/bounds/climb.h"
-#include "tests/support/exact_number.h"
 #include "tests/support/views.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "core/grid/clip.h"
 #include "core/grid/grid.h"
-#include "tests/support/exact_clip.h"
+#include "core/verify/exact_clip.h"
 #include "tests/support/print.h"
 #include "tests/support/views.h"
 

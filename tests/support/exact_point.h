@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/trace/ray.h"
-#include "tests/support/exact_clip.h"
+#include "core/verify/exact_clip.h"
 
 /// Points of a ray, exactly, and the tiles and depths they lie at.
 namespace dirt::test {

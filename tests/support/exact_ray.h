@@ -2,7 +2,7 @@
 
 #include "core/grid/geometry.h"
 #include "core/trace/ray.h"
-#include "tests/support/exact_number.h"
+#include "core/verify/exact_number.h"
 
 /// The exact decision on ray and triangle (T4).
 namespace dirt::test {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/grid/view.h"
-#include "tests/support/exact_clip.h"
+#include "core/verify/exact_clip.h"
 #include "tests/support/random.h"
 
 #include <vector>
@@ -16,7 +16,7 @@ struct ViewSet {
 
     ViewSet(const GridSettings& settings, const Camera& camera)
         : settings(settings), camera(camera), views(makeViews(settings, camera)) {}
-    TileSize tileSize(const View& view) const { return test::tileSize(view, settings.tile); }
+    TileSize tileSize(const View& view) const { return dirt::tileSize(view, settings.tile); }
 };
 
 inline ViewSet fullViews(int viewSize, int tile) {

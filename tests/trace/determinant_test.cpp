@@ -1,5 +1,5 @@
 #include "core/trace/determinant.h"
-#include "tests/support/exact_number.h"
+#include "core/verify/exact_number.h"
 #include "tests/support/print.h"
 #include "tests/support/random.h"
 

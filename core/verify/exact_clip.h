@@ -1,13 +1,13 @@
 #pragma once
 
 #include "core/grid/coverage.h"
-#include "tests/support/exact_number.h"
+#include "core/verify/exact_number.h"
 
 #include <array>
 #include <vector>
 
 /// The exact clip of a triangle to the cone of a tile: what G1 and G2 are stated in.
-namespace dirt::test {
+namespace dirt {
 
 /// Width of a tile in slopes along x and y: that of all columns (rows) but the last one, which may
 /// be partial.
@@ -68,7 +68,11 @@ struct ExactCone {
 
 private:
     Integer margin(double slope) const {
-        return Integer((int64_t) std::llround(std::ldexp(slope, kMargin))) << (fraction - kMargin);
+        // Of 4 and more a double has no bits below 2^-kMargin.
+        const Integer scaled = slope < 4.0
+                                   ? Integer((int64_t) std::llround(std::ldexp(slope, kMargin)))
+                                   : toInteger(slope, -kMargin);
+        return scaled << (fraction - kMargin);
     }
 };
 
@@ -174,4 +178,4 @@ inline ExactDepths clipExactly(const ExactTriangle& triangle, const ExactCone& c
     return depths;
 }
 
-} // namespace dirt::test
+} // namespace dirt

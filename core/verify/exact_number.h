@@ -8,9 +8,9 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <glm/vec3.hpp>
 
-/// Exact arithmetic for the oracles. A float is an integer times a power of two, so that a few
-/// floats over one common power of two are integers, and no oracle needs a fraction.
-namespace dirt::test {
+/// Exact arithmetic for judges and oracles. A float is an integer times a power of two, so that a
+/// few floats over one common power of two are integers, and no oracle needs a fraction.
+namespace dirt {
 
 /// Unbounded; up to 512 bits without an allocation.
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>,
@@ -115,4 +115,4 @@ inline float floatAbove(const Fraction& fraction) {
     return f;
 }
 
-} // namespace dirt::test
+} // namespace dirt
