@@ -107,6 +107,7 @@ void checkFolder(const std::string& folder, const Selection& wanted, int bounces
     for (const std::string& buffer : kBuffers) {
         if (!wanted.has(buffer.c_str())) continue;
         checkFile(folder + "/" + buffer + ".exr");
+        if (buffer == "ids") checkFile(folder + "/ids.csv");
         for (int event = 0; event < bounces; ++event)
             checkFile(folder + "/" + buffer + "." + std::to_string(event) + ".exr");
     }
@@ -198,7 +199,10 @@ Json manifest(const Input& input, const Backend& backend, const Executor& execut
     Json json = reportOf(input, backend, executor, result.build);
     for (const char* key : {"passes", "build_ms", "memory", "threads", "spp"}) json.erase(key);
     const GridFrame frame = backend.readGeometry().frame;
+    const Requirements need = requirementsOf(input.scene, input.settings, backend.rasterizes());
     json["sample"] = 0;
+    json["fov"] = input.scene.camera.verticalFov;
+    json["cut_outs"] = need.cutOuts;
     json["clamped"] = result.counts.clamped;
     const glm::dvec3 origin = input.scene.origin;
     json["origin"] = {origin.x, origin.y, origin.z};
@@ -212,8 +216,7 @@ Json manifest(const Input& input, const Backend& backend, const Executor& execut
         json["view_frames"] = viewsJson(grid);
         json["at_eye"] = grid.atEye;
     }
-    if (requirementsOf(input.scene, input.settings, backend.rasterizes()).shadowMap > 0)
-        json["shadow_map"] = shadowMapJson(input.scene, frame);
+    if (need.shadowMap > 0) json["shadow_map"] = shadowMapJson(input.scene, frame);
     json["files"] = filesJson(files);
     return json;
 }
@@ -299,8 +302,8 @@ int runDump(const DumpOptions& options) {
 } // namespace
 
 void addDump(Command program, int& status) {
-    const Command command =
-        program.addCommand("dump", "writes the buffers of a frame's first sample as EXR");
+    const Command command = program.addCommand(
+        "dump", "writes the buffers of a frame's first sample as EXR, lists as text, too");
     const auto options = std::make_shared<DumpOptions>();
     addCommonOptions(command, options->common);
     command.addTexts("--buffers", options->buffers, "of " + Selection::list() + " (default: all)")

@@ -1,6 +1,7 @@
 #include "core/dump/dump.h"
 
 #include "core/dump/entries.h"
+#include "core/io/output_file.h"
 
 #include <cstring>
 #include <utility>
@@ -105,6 +106,36 @@ void Dump::ids(const Grid& grid, const FrameGeometry& geometry) {
     }
     writeExr(folder_ + "/ids.exr", parts, metadata_);
     files_.push_back(std::move(dumped));
+    idsAsText(grid);
+}
+
+void Dump::idsAsText(const Grid& grid) {
+    const std::vector<std::pair<const char*, const char*>> columns = {
+        {"view", "view of the tile"},
+        {"column", "of the tile"},
+        {"row", "of the tile"},
+        {"bin", "depth bin that lists it"},
+        {"id", "primitive id of the list entry"}};
+    DumpedFile& dumped = files_.emplace_back(DumpedFile{"ids.csv", "ids", {}, {}, {}});
+    std::string text;
+    for (const auto& [name, meaning] : columns) {
+        const auto column = flagChannels(name, meaning);
+        dumped.channels.insert(dumped.channels.end(), column.begin(), column.end());
+        text.append(text.empty() ? "" : ",").append(name);
+    }
+    text += "\n";
+    for (size_t view = 0; view < grid.views.size(); ++view) {
+        const View& tiles = grid.views[view];
+        for (int tile = 0; tile < tiles.tiles(); ++tile) {
+            const std::string place = std::to_string(view) + "," +
+                                      std::to_string(tile % tiles.columns) + "," +
+                                      std::to_string(tile / tiles.columns) + ",";
+            for (int bin = 0; bin < grid.settings.bins; ++bin)
+                for (const uint32_t id : grid.list((int) view, tile, bin))
+                    text += place + std::to_string(bin) + "," + std::to_string(id) + "\n";
+        }
+    }
+    writeFile(folder_ + "/ids.csv", text);
 }
 
 void Dump::shadowMap(const std::vector<float>& depths) {

@@ -20,7 +20,7 @@ struct DumpedFile {
 };
 
 /// Writes the buffers of a frame as EXR files, one channel for every number of a record, bits as
-/// they are. Throws InputError where a file cannot be written.
+/// they are; lists as text, too. Throws InputError where a file cannot be written.
 class Dump {
 public:
     /// \p folder must exist. Images are \p width x \p height pixels.
@@ -31,7 +31,7 @@ public:
     /// Depth bounds and pyramid: a part for each view and level, a pixel for each tile.
     void depth(const Grid& grid);
     /// Id buffer: a deep part for each view, a pixel for each tile, a sample for each list entry in
-    /// the order (bin, Z, id).
+    /// the order (bin, Z, id). And ids.csv: a line for each, sorted by view, row, column, bin, id.
     void ids(const Grid& grid, const FrameGeometry& geometry);
     /// The light's shadow map: a pixel for each texel. Writes nothing where there is none.
     void shadowMap(const std::vector<float>& depths);
@@ -63,6 +63,7 @@ private:
                const std::vector<ExrPart>& parts, std::vector<ChannelInfo> channels);
     void writePixels(const std::string& buffer, std::optional<int> event,
                      const std::vector<Layer>& layers);
+    void idsAsText(const Grid& grid);
     void flags(const std::string& buffer, int event, const std::vector<uint8_t>& values,
                const std::vector<ChannelInfo>& channels);
 

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Counts the values that differ between two dumps: compare_dumps.py FOLDER FOLDER
 
-Compares bits, channel by channel, of the files that both manifests name. (Tools that compare images
-scale integers to floats and let small differences pass.) Needs OpenImageIO's Python module and
-NumPy (Debian: python3-openimageio python3-numpy). Ends with status 1 where anything differs.
+Compares bits, channel by channel, of the EXR files that both manifests name. (ids.csv only says
+again what is in ids.exr. Tools that compare images scale integers to floats and let small
+differences pass.) Needs OpenImageIO's Python module and NumPy (Debian: python3-openimageio
+python3-numpy). Ends with status 1 where anything differs.
 """
 
 import json
@@ -31,6 +32,7 @@ def values(folder, file, part, channel):
 def main():
     folders = sys.argv[1:3]
     manifests = [json.load(open(f + "/manifest.json", encoding="utf-8"))["files"] for f in folders]
+    manifests = [[file for file in m if file["file"].endswith(".exr")] for m in manifests]
     known = {file["file"]: file for file in manifests[1]}
     different = 0
     for file in manifests[0]:

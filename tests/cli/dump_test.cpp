@@ -45,6 +45,13 @@ TEST(DumpCommand, TheManifestDescribesTheFiles) {
     for (const json& file : manifest["files"]) {
         const std::string name = file["file"];
         named.insert(name);
+        if (name == "ids.csv") {
+            std::string header;
+            for (const json& column : file["channels"])
+                header += (header.empty() ? "" : ",") + column["name"].get<std::string>();
+            EXPECT_EQ(readFile(to + "/" + name).substr(0, header.size() + 1), header + "\n");
+            continue;
+        }
         const auto input = OIIO::ImageInput::open(to + "/" + name);
         ASSERT_TRUE(input) << name;
         for (size_t part = 0; part < file["parts"].size(); ++part) {
@@ -65,10 +72,12 @@ TEST(DumpCommand, TheManifestDescribesTheFiles) {
     }
     EXPECT_EQ(filesIn(to), named);
     for (const char* name :
-         {"triangles.exr", "depth.exr", "ids.exr", "direct.exr", "rays.0.exr", "hits.2.exr",
-          "mask.1.exr", "visibility.0.exr", "shading.2.exr", "image.2.exr"})
+         {"triangles.exr", "depth.exr", "ids.exr", "ids.csv", "direct.exr", "rays.0.exr",
+          "hits.2.exr", "mask.1.exr", "visibility.0.exr", "shading.2.exr", "image.2.exr"})
         EXPECT_TRUE(named.contains(name)) << name;
     EXPECT_EQ(manifest["view_frames"].size(), 6u);
+    EXPECT_EQ(manifest["fov"], 45.0);
+    EXPECT_EQ(manifest["cut_outs"], false);
 }
 
 TEST(DumpCommand, WritesWhatIsAskedFor) {
@@ -76,15 +85,15 @@ TEST(DumpCommand, WritesWhatIsAskedFor) {
     ASSERT_EQ(dirt(dumpOf(folder, folder / "a", {"--buffers", "ids,hits", "--event", "1"})).status,
               0);
     EXPECT_EQ(filesIn(folder / "a"),
-              (std::set<std::string>{"ids.exr", "hits.1.exr", "manifest.json"}));
+              (std::set<std::string>{"ids.exr", "ids.csv", "hits.1.exr", "manifest.json"}));
     ASSERT_EQ(dirt(dumpOf(folder, folder / "b", {"--buffers", "direct", "--event", "2"})).status,
               0);
     EXPECT_EQ(filesIn(folder / "b"), (std::set<std::string>{"direct.exr", "manifest.json"}));
     ASSERT_EQ(dirt(dumpOf(folder, folder / "c", {"--view", "single", "--bounces", "1"})).status, 0);
     EXPECT_EQ(filesIn(folder / "c"),
-              (std::set<std::string>{"triangles.exr", "depth.exr", "ids.exr", "direct.exr",
-                                     "visibility.0.exr", "shading.0.exr", "image.0.exr",
-                                     "manifest.json"}));
+              (std::set<std::string>{"triangles.exr", "depth.exr", "ids.exr", "ids.csv",
+                                     "direct.exr", "visibility.0.exr", "shading.0.exr",
+                                     "image.0.exr", "manifest.json"}));
 }
 
 TEST(DumpCommand, ReplacesAnEarlierDump) {

@@ -238,8 +238,27 @@ TEST_P(DumpTest, HoldsEveryListEntryAsADeepSample) {
     EXPECT_GT(samples, 1000u);
 }
 
+TEST_P(DumpTest, HoldsEveryListEntryInALineOfText) {
+    backend_.build(scene_.mesh, scene_.camera, settings_.grid);
+    const Grid& grid = backend_.grid();
+    Dump dump(folder_.path(), 45, 31, {});
+    dump.ids(grid, backend_.geometry());
+    std::string expected = "view,column,row,bin,id\n";
+    for (int view = 0; view < (int) grid.views.size(); ++view)
+        for (int row = 0; row < grid.views[(size_t) view].rows; ++row)
+            for (int column = 0; column < grid.views[(size_t) view].columns; ++column)
+                for (int bin = 0; bin < settings_.grid.bins; ++bin)
+                    for (const uint32_t id :
+                         grid.list(view, row * grid.views[(size_t) view].columns + column, bin))
+                        expected += std::to_string(view) + "," + std::to_string(column) + "," +
+                                    std::to_string(row) + "," + std::to_string(bin) + "," +
+                                    std::to_string(id) + "\n";
+    EXPECT_EQ(test::readFile(folder_ / "ids.csv"), expected);
+}
+
 TEST_P(DumpTest, EqualFramesAreEqualFiles) {
-    const char* const files[] = {"triangles.exr", "depth.exr", "ids.exr", "shading.1.exr"};
+    const char* const files[] = {"triangles.exr", "depth.exr", "ids.exr", "ids.csv",
+                                 "shading.1.exr"};
     std::map<std::string, std::string> first;
     for (unsigned threads : {1u, 3u}) {
         ThreadPool pool(threads);
