@@ -21,8 +21,10 @@ enum CommandBit : unsigned {
     kScaling = 128,
     kExplain = 256,
     kPreview = 512,
-    kAll = 1023,
-    kShading = kAll & ~kVerify, ///< verify casts rays at geometry
+    kReplay = 1024,
+    kAll = 2047,
+    kScene = kAll & ~kReplay,     ///< a dump has its settings
+    kShading = kScene & ~kVerify, ///< verify casts rays at geometry
 };
 
 constexpr unsigned bit(BackendKind kind) {
@@ -40,44 +42,46 @@ struct Scope {
 
 /// Which commands and backends honour an option. One that is not here all do.
 constexpr Scope kScopes[] = {
-    {"--backend", kAll & ~kCheck, kAny}, // check has --backends
-    {"--device", kAll, kGl},
-    {"--view", kAll, kAny},
-    {"--tile", kAll, kGrid},
-    {"--bins", kAll, kGrid},
-    {"--view-size", kAll, kGrid},
-    {"--max-mip", kAll, kGrid},
-    {"--traversal", kAll, kGrid},
+    {"--backend", kScene & ~kCheck, kAny}, // check has --backends
+    {"--device", kScene, kGl},
+    {"--view", kScene, kAny},
+    {"--tile", kScene, kGrid},
+    {"--bins", kScene, kGrid},
+    {"--view-size", kScene, kGrid},
+    {"--max-mip", kScene, kGrid},
+    {"--traversal", kScene, kGrid},
     {"--primary", kShading, kGrid,
      [](const CommonOptions& o) { return o.primary == Primary::traced; }},
     {"--fetch", kShading, kGrid, [](const CommonOptions& o) { return o.fetch == Fetch::direct; }},
     {"--visibility", kShading, kAny},
     {"--shading", kShading, kAny},
-    {"--precision", kAll, kGrid,
+    {"--precision", kScene, kGrid,
      [](const CommonOptions& o) { return o.precision == Precision::exact; }},
-    {"--size", kAll, kAny},
+    {"--size", kScene, kAny},
     {"--spp", kRender | kInfo | kPreview, kAny},        // others take one sample, or say how many
     {"--bounces", kShading & ~(unsigned) kFrame, kAny}, // one bounce of light is timed
     {"--ray-type", kShading, kAny},
-    {"--seed", kAll, kAny},
-    {"--eye", kAll, kAny},
-    {"--target", kAll, kAny},
-    {"--up", kAll, kAny},
-    {"--fov", kAll, kAny},
-    {"--frame", kAll & ~kScaling, kAny}, // its scene does not move
+    {"--seed", kScene, kAny},
+    {"--camera", kScene, kAny},
+    {"--eye", kScene, kAny},
+    {"--target", kScene, kAny},
+    {"--up", kScene, kAny},
+    {"--fov", kScene, kAny},
+    {"--frame", kScene & ~kScaling, kAny}, // its scene does not move
     {"--threads", kAll, kAny},
-    {"--memory", kAll, kAny},
+    {"--memory", kScene, kAny},
     {"--quiet", kAll, kAny},
-    {"--no-cache", kAll, kAny},
-    {"--strict", kAll, kAny},
+    {"--no-cache", kScene, kAny},
+    {"--strict", kScene, kAny},
     {"--materials", kShading, kAny},
 };
 
 CommandBit commandOf(const std::string& name) {
     constexpr std::pair<std::string_view, CommandBit> kNames[] = {
-        {"render", kRender},   {"info", kInfo},      {"dump", kDump},         {"check", kCheck},
-        {"verify", kVerify},   {"frame", kFrame},    {"tradeoff", kTradeoff}, {"scaling", kScaling},
-        {"explain", kExplain}, {"preview", kPreview}};
+        {"render", kRender},     {"info", kInfo},       {"dump", kDump},
+        {"check", kCheck},       {"verify", kVerify},   {"frame", kFrame},
+        {"tradeoff", kTradeoff}, {"scaling", kScaling}, {"explain", kExplain},
+        {"preview", kPreview},   {"replay", kReplay}};
     for (const auto& [known, command] : kNames)
         if (name == known) return command;
     return kAll;

@@ -5,6 +5,7 @@
 #include "core/verify/judge.h"
 
 #include <optional>
+#include <utility>
 
 namespace dirt {
 
@@ -16,6 +17,8 @@ namespace dirt {
 class ViewScope {
 public:
     ViewScope(const GridSettings& settings, const Camera& camera);
+    /// Of a single view; none: of full view.
+    explicit ViewScope(std::optional<View> view) : view_(std::move(view)) {}
 
     /// \p truth: the verdict of \p judge's geometry on \p ray.
     bool counts(const Ray& ray, const Verdict& truth, const FrameGeometry& geometry) const;

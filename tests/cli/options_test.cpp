@@ -42,6 +42,14 @@ const std::vector<std::pair<std::string, std::string>> kOptions = {{"--backend",
                                                                    {"--materials", "demo"}};
 const std::vector<std::string> kFlags = {"--quiet", "--no-cache", "--strict"};
 
+Names everyOptionBut(const Names& honoured) {
+    Names names{"--camera"};
+    for (const auto& [option, value] : kOptions) names.insert(option);
+    names.insert(kFlags.begin(), kFlags.end());
+    for (const std::string& name : honoured) names.erase(name);
+    return names;
+}
+
 struct CommandRow {
     std::string name;
     Names idle; ///< options that it has no use for
@@ -55,7 +63,8 @@ const CommandRow kCommands[] = {{"render", {}},
                                   "--visibility", "--shading", "--materials"}},
                                 {"bench frame", {"--spp", "--bounces"}},
                                 {"bench tradeoff", {"--spp"}},
-                                {"bench scaling", {"--spp", "--frame"}}};
+                                {"bench scaling", {"--spp", "--frame"}},
+                                {"replay", everyOptionBut({"--threads", "--quiet"})}};
 
 /// The command with what it needs besides, and a scene that is not there.
 std::vector<std::string> commandLine(const std::string& name, const TemporaryFolder& folder) {
@@ -89,7 +98,7 @@ TEST(Options, EachCommandRefusesWhatItHasNoUseFor) {
             SCOPED_TRACE(command.name);
             auto line = commandLine(command.name, folder);
             line.insert(line.end(), {option, value});
-            if (option == "--device") continue; // see below
+            if (option == "--device" && command.name != "replay") continue; // see below
             EXPECT_EQ(isRefused(line, option), command.idle.contains(option)) << option;
         }
 }
@@ -107,7 +116,9 @@ TEST(Options, HelpListsWhatACommandHonours) {
                       !command.idle.contains(option))
                 << command.name << " " << option;
         for (const std::string& flag : kFlags)
-            EXPECT_NE(help.find("  " + flag + " "), std::string::npos);
+            EXPECT_EQ(help.find("  " + flag + " ") != std::string::npos,
+                      !command.idle.contains(flag))
+                << command.name << " " << flag;
         // Every option of all commands is in the tables above.
         Names known(kFlags.begin(), kFlags.end());
         for (const auto& [option, value] : kOptions) known.insert(option);
@@ -122,6 +133,14 @@ TEST(Options, HelpListsWhatACommandHonours) {
             EXPECT_TRUE(known.contains(help.substr(at, end - at))) << help.substr(at, end - at);
         }
     }
+}
+
+TEST(Options, ReplayRefusesTheFlagsOfScenes) {
+    const TemporaryFolder folder;
+    for (const char* flag : {"--no-cache", "--strict"})
+        EXPECT_TRUE(isRefused({"replay", folder / "none", flag}, flag));
+    EXPECT_TRUE(isRefused({"replay", folder / "none", "--camera", "1"}, "--camera"));
+    EXPECT_FALSE(isRefused({"replay", folder / "none", "--quiet"}, "--quiet"));
 }
 
 /// Before the backend is made, so that it need not be there.

@@ -24,6 +24,7 @@ const std::vector<std::vector<std::string>> kFloors{
     {"core/io"},
     {"core/compare", "core/cost", "core/dump", "core/explain", "core/probe", "core/verify"},
     {"core/check", "core/preview"},
+    {"core/replay"},
     {"backend_cpu/build"},
     {"backend_cpu/light"},
     {"backend_cpu/trace"},

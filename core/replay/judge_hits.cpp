@@ -1,0 +1,171 @@
+#include "core/replay/judge_hits.h"
+
+#include "core/base/denormals.h"
+#include "core/replay/dumped_view.h"
+#include "core/trace/intersect.h"
+#include "core/trace/traverse.h"
+#include "core/verify/exact.h"
+#include "core/verify/view_scope.h"
+#include "shaders/shared/margins.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+
+namespace dirt {
+
+namespace {
+
+constexpr size_t kGrain = 1024;
+
+std::string idText(uint32_t primitive) {
+    return primitive == kNoPrimitive ? "nothing" : "triangle " + std::to_string(primitive);
+}
+
+std::string number(double x) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.9g", x);
+    return text;
+}
+
+/// How far the given weights are from the exact ones of the point where \p ray meets \p triangle.
+double weightError(const Ray& ray, const Triangle& triangle, const ExactT& t, const Hit& hit) {
+    // The point times t's denominator, so that nothing is divided before the end.
+    const DyadicVector a(triangle.a), o(ray.origin), d(ray.direction);
+    const DyadicVector ab = DyadicVector(triangle.b) - a, ac = DyadicVector(triangle.c) - a;
+    const auto along = [&](int i) { return (o[i] - a[i]) * t.denominator + d[i] * t.numerator; };
+    const DyadicVector ap(along(0), along(1), along(2));
+    const DyadicVector normal = cross(ab, ac);
+    const Dyadic whole = dot(normal, normal) * t.denominator;
+    const double u = Dyadic::quotient(dot(normal, cross(ap, ac)), whole);
+    const double v = Dyadic::quotient(dot(normal, cross(ab, ap)), whole);
+    return std::max(std::abs(u - hit.u), std::abs(v - hit.v));
+}
+
+/// The view that rays of single mode are limited to.
+std::optional<View> limitOf(const Manifest& manifest) {
+    if (manifest.settings.mode == ViewMode::full) return std::nullopt;
+    if (!manifest.views.empty()) return manifest.views.front();
+    return makeViews(manifest.settings, dumpedCamera(manifest.fov)).front();
+}
+
+class HitJudge {
+public:
+    HitJudge(const ReplayInput& input, const DumpedHits& event, const Judge& judge)
+        : input_(input), event_(event), judge_(judge), scope_(limitOf(input.manifest)) {}
+
+    void judge(uint32_t pixel, JudgedPass& found) const {
+        const Ray ray = flushedRay(event_.rays[pixel]);
+        const Hit& hit = event_.hits[pixel];
+        const Verdict truth = judge_.nearest(ray);
+        if (isTraceable(ray) && !scope_.counts(ray, truth, input_.geometry)) {
+            ++found.outside;
+            return;
+        }
+        ++found.compared;
+        const Judgement judgement = judge_.judge(ray, truth, hit);
+        if (judgement.grade != Grade::right)
+            return wrong(pixel, ray, truth, hit, judgement.grade, found);
+        if (!hit.found()) {
+            ++found.right;
+            return;
+        }
+        const Triangle& triangle = input_.geometry.triangles[hit.primitive];
+        if (judgement.relativeTError > kFinality)
+            return found.fault("wrong t", place(pixel, hit.primitive), [&] {
+                return pixelText(pixel) + ": t of triangle " + std::to_string(hit.primitive) +
+                       " is " + number(hit.t) + ", off by " + number(judgement.ulpTError) + " ulp";
+            });
+        const double off = weightError(ray, triangle, *intersectExactly(ray, triangle), hit);
+        if (!(off <= kWeightError))
+            return found.fault("wrong weights", place(pixel, hit.primitive), [&] {
+                return pixelText(pixel) + ": the weights of triangle " +
+                       std::to_string(hit.primitive) + " are off by " + number(off);
+            });
+        if (event_.filed && input_.hasLists && !isListed(hit))
+            return found.fault("misfiled", place(pixel, hit.primitive),
+                               [&] { return misfiledText(pixel, hit); });
+        ++found.right;
+        found.largestTError = std::max(found.largestTError, judgement.ulpTError);
+    }
+
+private:
+    std::string pixelText(uint32_t pixel) const {
+        const auto width = (uint32_t) input_.manifest.settings.width;
+        return "pixel " + std::to_string(pixel % width) + "," + std::to_string(pixel / width);
+    }
+    static ReplayPlace place(uint32_t pixel, uint32_t primitive) {
+        ReplayPlace at;
+        at.pixel = pixel;
+        at.primitive = primitive;
+        return at;
+    }
+
+    void wrong(uint32_t pixel, const Ray& ray, const Verdict& truth, const Hit& hit, Grade grade,
+               JudgedPass& found) const {
+        if (input_.hasLists &&
+            closestHit(*input_.grid, input_.geometry, ray).primitive == hit.primitive) {
+            ++found.inherited;
+            return;
+        }
+        const uint32_t due = truth.found() ? truth.primitives.front() : kNoPrimitive;
+        const char* sort = grade == Grade::missed     ? "missed"
+                           : grade == Grade::falseHit ? "false"
+                                                      : "wrong primitive";
+        found.fault(sort, place(pixel, truth.found() ? due : hit.primitive), [&] {
+            return pixelText(pixel) + " has " + idText(hit.primitive) + ", where its ray hits " +
+                   idText(due) + (truth.found() ? " at t " + number(truth.t) : "");
+        });
+    }
+
+    bool isListed(const Hit& hit) const {
+        const Grid& grid = *input_.grid;
+        if (hit.view == grid.views.size())
+            return std::binary_search(grid.atEye.begin(), grid.atEye.end(), hit.primitive);
+        for (int bin = 0; bin < grid.settings.bins; ++bin) {
+            const auto list = grid.list((int) hit.view, (int) hit.tile, bin);
+            if (std::binary_search(list.begin(), list.end(), hit.primitive)) return true;
+        }
+        return false;
+    }
+
+    std::string misfiledText(uint32_t pixel, const Hit& hit) const {
+        const Grid& grid = *input_.grid;
+        const std::string id = std::to_string(hit.primitive);
+        if (hit.view == grid.views.size())
+            return pixelText(pixel) + ": the record of triangle " + id +
+                   " is filed at the eye, which it does not hold";
+        const auto columns = (uint32_t) grid.views[hit.view].columns;
+        return pixelText(pixel) + ": the record of triangle " + id + " is filed in view " +
+               input_.manifest.viewNames[hit.view] + ", column " +
+               std::to_string(hit.tile % columns) + ", row " + std::to_string(hit.tile / columns) +
+               ", which does not list it";
+    }
+
+    const ReplayInput& input_;
+    const DumpedHits& event_;
+    const Judge& judge_;
+    ViewScope scope_;
+};
+
+} // namespace
+
+JudgedPass judgeTrace(const ReplayInput& input, const DumpedHits& event, const Judge& judge,
+                      Executor& executor) {
+    JudgedPass pass;
+    pass.pass = "Trace";
+    pass.event = event.event;
+    pass.buffer = "hit buffer";
+    const HitJudge one(input, event, judge);
+    std::mutex mutex;
+    executor.forRange(event.hits.size(), kGrain, [&](size_t begin, size_t end) {
+        const FlushDenormals flush;
+        JudgedPass found;
+        for (size_t pixel = begin; pixel < end; ++pixel) one.judge((uint32_t) pixel, found);
+        const std::lock_guard lock(mutex);
+        pass.add(found);
+    });
+    return pass;
+}
+
+} // namespace dirt
