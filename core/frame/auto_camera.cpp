@@ -3,6 +3,8 @@
 #include "core/frame/framing.h"
 #include "core/frame/model_kind.h"
 #include "core/frame/object_view.h"
+#include "core/trace/offset.h"
+#include "shaders/shared/surface.h"
 
 #include <algorithm>
 #include <array>
@@ -171,9 +173,8 @@ Look chooseLook(Subject& subject, Tracer& tracer) {
 
 /// What a coarse image shows.
 struct Glance {
-    double distance = 0.0;           ///< median of what is seen, else that of the model's middle
-    std::vector<glm::vec3> points;   ///< that are seen
-    std::vector<uint32_t> triangles; ///< on which they lie
+    double distance = 0.0; ///< median of what is seen, else that of the model's middle
+    std::vector<Hit> hits; ///< what is seen
 };
 
 Glance glanceAt(const Subject& subject, const Look& look, Tracer& tracer) {
@@ -197,8 +198,7 @@ Glance glanceAt(const Subject& subject, const Look& look, Tracer& tracer) {
     for (size_t i = 0; i < rays.size(); ++i) {
         if (!hits[i].found()) continue;
         distances.push_back(hits[i].t);
-        glance.points.push_back(rays[i].origin + hits[i].t * rays[i].direction);
-        glance.triangles.push_back(hits[i].primitive);
+        glance.hits.push_back(hits[i]);
     }
     glance.distance = glm::length(subject.centre() - look.eye);
     if (distances.empty()) return glance;
@@ -215,11 +215,13 @@ glm::dvec3 lightPlace(const Subject& subject, const Look& look, const Glance& gl
     const Framing framing = subject.framing(look.direction);
     const glm::dvec3 place = look.eye + 0.1 * glance.distance * (framing.right - framing.down);
     std::vector<Ray> rays;
-    for (size_t i = 0; i < glance.points.size(); ++i) {
+    for (const Hit& hit : glance.hits) {
+        const Triangle& t = subject.geometry.triangles[hit.primitive];
+        const glm::vec3 point = interpolate(t.a, t.b, t.c, hit.u, hit.v);
         Ray ray;
-        ray.origin = glance.points[i];
+        ray.origin = offsetOrigin(t, hit.u, hit.v, glm::vec3(place) - point);
         ray.direction = glm::vec3(place) - ray.origin;
-        ray.skip = glance.triangles[i];
+        ray.skip = hit.primitive;
         rays.push_back(ray);
     }
     const std::vector<float> maxT(rays.size(), 1.0f);

@@ -4,6 +4,7 @@
 #include "shaders/shared/sampling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -114,6 +115,24 @@ bool turnsBacksOutwards(std::span<const SurfaceView> views, std::span<const Surf
     return !samples.empty();
 }
 
+/// Whether nothing is seen from \p views but fronts that are open to the outside: the skin of
+/// something closed.
+bool isClosed(std::span<const SurfaceView> views, std::span<const double> within) {
+    for (const SurfaceView& view : views)
+        for (size_t s = 0; s < view.size(); ++s)
+            if (view[s] == Side::back || (view[s] == Side::front && within[s] > 0.5)) return false;
+    return true;
+}
+
+/// Whether one sees the fronts of all of it at once, along one of the axes.
+bool isSeenWhole(std::span<const SurfaceSample> samples, Tracer& tracer) {
+    const std::array<glm::dvec3, 6> axes{
+        {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+    for (const SurfaceView& view : viewsFrom(axes, samples, tracer))
+        if (shareOf(view, Side::front) == 1.0) return true;
+    return false;
+}
+
 } // namespace
 
 ModelKind kindOf(const FrameGeometry& geometry, std::span<const SurfaceSample> samples,
@@ -125,7 +144,7 @@ ModelKind kindOf(const FrameGeometry& geometry, std::span<const SurfaceSample> s
         kind.within.push_back(enclosure(samples[s], s, directions, outside));
     const double within = std::accumulate(kind.within.begin(), kind.within.end(), 0.0);
     const bool backs = turnsBacksOutwards(outside, samples, directions);
-    if (within <= 0.5 * (double) samples.size()) {
+    if (within <= 0.5 * (double) samples.size() || isClosed(outside, kind.within)) {
         kind.insideOut = backs;
         return kind;
     }
@@ -141,7 +160,7 @@ ModelKind kindOf(const FrameGeometry& geometry, std::span<const SurfaceSample> s
         kind.room = seenWithin > seenOutside && best > mostSeen(outside);
         kind.insideOut = !kind.room;
     } else {
-        kind.room = best > mostOf(outside, Side::front);
+        kind.room = best > mostOf(outside, Side::front) && !isSeenWhole(samples, tracer);
     }
     return kind;
 }

@@ -14,45 +14,57 @@ namespace {
 constexpr std::array kTurns{0, 1, -1, 2, -2, 3, -3, 4};        ///< eighths of a circle
 constexpr std::array kRises{kSlightly, 1.0, -kSlightly, -1.0}; ///< for each step along
 
-/// What is shown of the outside of a model.
+/// What is shown of a model.
 struct Shown {
     double area = 0.0;    ///< in the picture
     size_t materials = 0; ///< at least partly
 
-    bool isEnough(const Shown& most) const {
+    bool isHalfOf(const Shown& most) const {
         return area >= 0.5 * most.area && 2 * materials >= most.materials;
     }
 };
 
-Shown shownIn(const SurfaceView& view, glm::dvec3 direction, Side outside,
+/// Of its outside alone, or of both sides, where the outside is seen at all.
+Shown shownIn(const SurfaceView& view, glm::dvec3 direction, Side outside, bool bothSides,
               std::span<const SurfaceSample> samples) {
-    Shown shown;
-    std::set<uint32_t> materials;
+    double areas[2] = {0.0, 0.0}; // inside, outside
+    std::set<uint32_t> materials[2];
     for (size_t s = 0; s < samples.size(); ++s) {
-        if (view[s] != outside) continue;
-        shown.area += std::abs(glm::dot(samples[s].normal, direction));
-        materials.insert(samples[s].material);
+        if (view[s] == Side::hidden) continue;
+        const size_t side = view[s] == outside ? 1 : 0;
+        areas[side] += std::abs(glm::dot(samples[s].normal, direction));
+        materials[side].insert(samples[s].material);
     }
-    shown.materials = materials.size();
-    return shown;
+    if (!bothSides || areas[1] == 0.0) return {areas[1], materials[1].size()};
+    materials[1].merge(materials[0]);
+    return {areas[0] + areas[1], materials[1].size()};
 }
 
-/// The first of \p views that shows enough of what any of them shows; else, or if it has to be
-/// the first, that which shows most.
-size_t choose(std::span<const Shown> views, bool onlyFirst) {
+/// What any of \p views shows at most.
+Shown mostOf(std::span<const Shown> views) {
     Shown most;
     for (const Shown& view : views) {
         most.area = std::max(most.area, view.area);
         most.materials = std::max(most.materials, view.materials);
     }
-    const size_t eligible = onlyFirst ? 1 : views.size();
-    for (size_t i = 0; i < eligible; ++i)
-        if (views[i].isEnough(most)) return i;
+    return most;
+}
+
+/// Which of \p views shows most.
+size_t bestOf(std::span<const Shown> views) {
     const auto worth = [](const Shown& view) { return view.area * (double) view.materials; };
     const auto best =
         std::max_element(views.begin(), views.end(),
                          [&](const Shown& a, const Shown& b) { return worth(a) < worth(b); });
     return (size_t) (best - views.begin());
+}
+
+/// The first of \p views that shows half of what any of them shows; else that which shows most.
+size_t firstOf(std::span<const Shown> views) {
+    const Shown most = mostOf(views);
+    const auto found = std::find_if(views.begin(), views.end(),
+                                    [&](const Shown& view) { return view.isHalfOf(most); });
+    return found != views.end() ? (size_t) (found - views.begin()) : bestOf(views);
 }
 
 } // namespace
@@ -72,18 +84,24 @@ glm::dvec3 Horizon::heading(double turn) const {
 glm::dvec3 objectDirection(const Horizon& horizon, const ModelKind& kind,
                            std::span<const SurfaceSample> samples, Tracer& tracer) {
     const Side outside = kind.insideOut ? Side::back : Side::front;
-    const auto choice = [&](const std::vector<glm::dvec3>& backwards, bool onlyFirst) {
+    const auto shown = [&](const std::vector<glm::dvec3>& backwards, bool bothSides) {
         const std::vector<SurfaceView> views = viewsFrom(backwards, samples, tracer);
-        std::vector<Shown> shown;
+        std::vector<Shown> result;
         for (size_t v = 0; v < views.size(); ++v)
-            shown.push_back(shownIn(views[v], backwards[v], outside, samples));
-        return backwards[choose(shown, onlyFirst)]; // towards the eye
+            result.push_back(shownIn(views[v], backwards[v], outside, bothSides, samples));
+        return result;
     };
-    std::vector<glm::dvec3> level, risen;
+    std::vector<glm::dvec3> level, risen; // towards the eye
     for (int turn : kTurns) level.push_back(-horizon.heading(turn * std::numbers::pi / 4.0));
-    const glm::dvec3 side = choice(level, true);
+    const std::vector<Shown> around = shown(level, false);
+    const Shown most = mostOf(around);
+    const bool isFront = around[0].isHalfOf(most) && 2 * around[0].materials != most.materials;
+    const glm::dvec3 side = level[isFront ? 0 : bestOf(around)];
     for (double rise : kRises) risen.push_back(glm::normalize(rise * horizon.up + side));
-    return -choice(risen, false);
+    const size_t height = firstOf(shown(risen, false));
+    if (kRises[height] > 0.0) return -risen[height];
+    const size_t ofBoth = firstOf(shown(risen, true));
+    return -risen[kRises[ofBoth] > 0.0 ? ofBoth : height];
 }
 
 } // namespace dirt

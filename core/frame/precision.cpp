@@ -19,6 +19,10 @@ namespace {
 /// pixels across it, seen sixteen times enlarged.
 constexpr double kCoarse = 0x1p-16;
 
+/// An eye that is off by more of the distance to what it looks at moves the picture: by a pixel of
+/// 4,096 across.
+constexpr double kCoarseEye = 0x1p-12;
+
 constexpr size_t kTrianglesPerPiece = 8192;
 
 double spacingAt(double coordinate) {
@@ -89,12 +93,19 @@ PrecisionReach precisionReach(const Mesh& mesh, const Camera& camera, ViewMode m
     reach.diagonal = glm::length(all.box.high - all.box.low);
     reach.worldSpacing = spacingAt(std::max(largest(all.box.low), largest(all.box.high)));
     reach.frameSpacing = spacingAt(all.farthest) / geometry.frame.scale;
+    reach.eyeSpacing = spacingAt(largest(camera.eye));
+    reach.distance = glm::length(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
     return reach;
 }
 
 std::vector<PrecisionWarning> precisionWarnings(const PrecisionReach& reach) {
     using Cause = PrecisionWarning::Cause;
     std::vector<PrecisionWarning> warnings;
+    if (reach.withoutArea > reach.flattened && reach.withoutArea == reach.triangles) {
+        // Nothing can be said of the size of what is a point or a line.
+        warnings.push_back({Cause::withoutArea, "no triangle has an area: nothing is seen"});
+        return warnings;
+    }
     if (reach.worldSpacing > kCoarse * reach.diagonal)
         warnings.push_back({Cause::largeCoordinates,
                             line("coordinates are so large that float32 resolves %g of them, in a "
@@ -104,6 +115,12 @@ std::vector<PrecisionWarning> precisionWarnings(const PrecisionReach& reach) {
         warnings.push_back({Cause::distantEye,
                             line("the eye is so far away that float32 resolves %g of a scene of %g",
                                  reach.frameSpacing, reach.diagonal)});
+    else if (reach.eyeSpacing > kCoarseEye * reach.distance)
+        warnings.push_back(
+            {Cause::farFromZero,
+             line("the eye is so far from 0 that float32 resolves %g there, and what "
+                  "it looks at is %g away",
+                  reach.eyeSpacing, reach.distance)});
     if (reach.flattened > 0)
         warnings.push_back(
             {Cause::flattened, std::to_string(reach.flattened) + " of " +

@@ -15,6 +15,8 @@ struct PrecisionReach {
     double diagonal = 0.0;     ///< of the triangles' box, world units
     double worldSpacing = 0.0; ///< of float32 at the largest world coordinate
     double frameSpacing = 0.0; ///< of float32 at the largest distance from the eye, world units
+    double eyeSpacing = 0.0;   ///< of float32 at the eye's largest world coordinate
+    double distance = 0.0;     ///< from the eye to its target, world units
     uint64_t triangles = 0;
     uint64_t withoutArea = 0; ///< triangles that no ray hits, as far as double tells
     uint64_t flattened = 0;   ///< of these, that had an area before they were moved to the eye
@@ -27,7 +29,7 @@ PrecisionReach precisionReach(const Mesh& mesh, const Camera& camera, ViewMode m
 
 /// A cause for concern, and a line about it.
 struct PrecisionWarning {
-    enum class Cause { largeCoordinates, distantEye, flattened };
+    enum class Cause { largeCoordinates, distantEye, farFromZero, flattened, withoutArea };
 
     Cause cause;
     std::string text;

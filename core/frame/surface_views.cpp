@@ -1,5 +1,6 @@
 #include "core/frame/surface_views.h"
 
+#include "core/trace/offset.h"
 #include "shaders/shared/random.h"
 
 #include <algorithm>
@@ -22,24 +23,24 @@ glm::dvec3 areaVector(const Triangle& t) {
 /// Looks back from the samples to each of \p ends, which are places or directions.
 std::vector<SurfaceView> look(std::span<const glm::dvec3> ends, bool isPlace,
                               std::span<const SurfaceSample> samples, Tracer& tracer) {
+    // What is seen edge-on is not seen; along a surface of many triangles its ray would be dear.
+    const float reach = isPlace ? 1.0f : std::numeric_limits<float>::infinity();
     std::vector<Ray> rays;
+    std::vector<double> cosines;
+    std::vector<float> maxT;
     rays.reserve(ends.size() * samples.size());
     for (const glm::dvec3& end : ends)
         for (const SurfaceSample& sample : samples) {
             Ray ray;
-            ray.origin = sample.point;
             ray.direction = glm::vec3(isPlace ? end - glm::dvec3(sample.point) : end);
+            cosines.push_back(glm::dot(sample.normal, glm::dvec3(ray.direction)));
+            // From within, what lies on a floor hides it; from outside both sheets of a wall that
+            // has two in one plane are seen, one by its front and one by its back.
+            ray.origin = isPlace ? sample.point : cosines.back() > 0.0 ? sample.front : sample.back;
             ray.skip = sample.triangle;
             rays.push_back(ray);
+            maxT.push_back(cosines.back() != 0.0 ? reach : 0.0f);
         }
-    // What is seen edge-on is not seen; along a surface of many triangles its ray would be dear.
-    const float reach = isPlace ? 1.0f : std::numeric_limits<float>::infinity();
-    std::vector<double> cosines(rays.size());
-    std::vector<float> maxT(rays.size());
-    for (size_t i = 0; i < rays.size(); ++i) {
-        cosines[i] = glm::dot(samples[i % samples.size()].normal, glm::dvec3(rays[i].direction));
-        maxT[i] = cosines[i] != 0.0 ? reach : 0.0f;
-    }
     std::vector<uint8_t> occluded(rays.size());
     tracer.occluded(rays, maxT, occluded);
 
@@ -67,11 +68,14 @@ std::vector<SurfaceSample> sampleSurface(const Mesh& mesh, const FrameGeometry& 
         const uint32_t id = (uint32_t) (found - until.begin());
         const Triangle& t = geometry.triangles[id];
         // Uniform over the triangle: lines of equal distance from a by the root.
-        const double away = std::sqrt(randomUnit((uint32_t) i, 0, 0, 0, 0));
-        const double along = randomUnit((uint32_t) i, 0, 0, 1, 0);
+        const float away = std::sqrt(randomUnit((uint32_t) i, 0, 0, 0, 0));
+        const float along = randomUnit((uint32_t) i, 0, 0, 1, 0);
         const glm::dvec3 a = t.a, b = t.b, c = t.c;
-        const glm::dvec3 point = a + away * ((b - a) + along * (c - b));
-        samples.push_back({glm::vec3(point), glm::normalize(areaVector(t)), id,
+        const glm::dvec3 point = a + (double) away * ((b - a) + (double) along * (c - b));
+        const float u = away * (1.0f - along), v = away * along;
+        const glm::dvec3 normal = glm::normalize(areaVector(t));
+        samples.push_back({glm::vec3(point), offsetOrigin(t, u, v, glm::vec3(normal)),
+                           offsetOrigin(t, u, v, glm::vec3(-normal)), normal, id,
                            mesh.materials.empty() ? 0 : mesh.materials[id]});
     }
     return samples;

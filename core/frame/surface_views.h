@@ -12,8 +12,9 @@ namespace dirt {
 
 /// One of the points that stand for equal shares of a model's surface.
 struct SurfaceSample {
-    glm::vec3 point;   ///< grid frame
-    glm::dvec3 normal; ///< unit length; from its side the corners run counter-clockwise
+    glm::vec3 point;       ///< grid frame
+    glm::vec3 front, back; ///< where rays leave it to either side, beyond what lies in its plane
+    glm::dvec3 normal;     ///< unit length; from its side the corners run counter-clockwise
     uint32_t triangle;
     uint32_t material; ///< of the triangle; 0 where the mesh names none
 };

@@ -123,5 +123,32 @@ TEST(FarOrigin, EveryCommandWarnsWhereDigitsAreLost) {
         << parts.err;
 }
 
+/// An origin serves one place: of two that are far apart, one is seen from an eye that is rounded.
+TEST(FarOrigin, AnEyeFarFromTheOriginIsWarnedOf) {
+    const TemporaryFolder folder;
+    const std::string two =
+        folder.write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 10000000.3 0 0\n"
+                                "v 10000008.3 0 0\nv 10000000.3 8 0\nf 4 5 6\n");
+    const auto warnings = [&](const char* eye, const char* target) {
+        return json::parse(
+            dirt({"info", "--json", two, "--size", "48x32", eye, target}).out)["warnings"];
+    };
+    const json far = warnings("--eye=10000000.8,0.5,2", "--target=10000000.8,0.5,0");
+    ASSERT_EQ(far.size(), 1u) << far;
+    EXPECT_NE(far[0].get<std::string>().find("the eye is so far from 0 that float32 resolves 1"),
+              std::string::npos)
+        << far;
+    EXPECT_TRUE(warnings("--eye=0.5,0.5,2", "--target=0.5,0.5,0").empty());
+}
+
+TEST(FarOrigin, WhatHasNoAreaIsSaidToHaveNone) {
+    const TemporaryFolder folder;
+    const std::string line = folder.write("line.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n");
+    const json info = json::parse(dirt({"info", "--json", line, "--size", "48x32"}).out);
+    ASSERT_EQ(info["warnings"].size(), 1u) << info["warnings"];
+    EXPECT_NE(info["warnings"][0].get<std::string>().find("no triangle has an area"),
+              std::string::npos);
+}
+
 } // namespace
 } // namespace dirt::test

@@ -109,14 +109,16 @@ glm::vec3 sideOf(const Mesh& mesh, const CameraHints& hints = {}) {
 
 TEST(AutoCamera, ShowsObjectsFromInFrontAndSlightlyAbove) {
     const glm::vec3 slightlyAbove = glm::normalize(glm::vec3(0, 1, 3));
-    for (const Mesh& mesh : {box(false), box(true), hollowBox(0.1f), hollowBox(0.001f), table(),
-                             ballInABall(), tree(), court(), sign(1), square(2, true)})
+    for (const Mesh& mesh :
+         {box(false), box(true), hollowBox(0.1f), hollowBox(0.001f), table(), ballInABall(), tree(),
+          court(), sign(1), square(2, true), caseWithABall(), twoSidedRoom(), tray(), bowl()})
         EXPECT_LT(glm::length(sideOf(mesh) - slightlyAbove), 1e-5f);
 }
 
 TEST(AutoCamera, ShowsWhatHasItsFrontElsewhereFromThere) {
     EXPECT_LT(sideOf(sign(-1)).z, -0.9f);
     EXPECT_LT(sideOf(labelsBehindABoard()).z, -0.9f);
+    EXPECT_LT(sideOf(screenBehind()).z, -0.6f);
     EXPECT_LT(sideOf(square(2, false)).z, -0.9f);
     EXPECT_GT(sideOf(square(0, true)).x, 0.9f);
     EXPECT_LT(sideOf(square(0, false)).x, -0.9f);

@@ -184,6 +184,61 @@ inline Mesh ballInABall() {
     return mesh;
 }
 
+/// Two shells that face outwards and inwards, as a case has them, and a ball in it.
+inline Mesh caseWithABall() {
+    Mesh mesh = hollowBox(0.1f);
+    addBall(mesh, glm::vec3(0), 0.5f, 12);
+    return mesh;
+}
+
+/// A closed room whose walls are there twice, from either side, but for the diagonals of their
+/// quads; and a box in it.
+inline Mesh twoSidedRoom() {
+    Mesh mesh;
+    addBox(mesh, {-3, 0, -3}, {3, 2.7f, 3}, true);
+    addBox(mesh, {-3, 0, -3}, {3, 2.7f, 3}, false);
+    for (size_t i = 12; i < 24; i += 2) { // abc, acd: abd, bcd
+        auto &first = mesh.triangles[i], &second = mesh.triangles[i + 1];
+        const uint32_t c = first[2];
+        first[2] = second[2];
+        second = {first[1], c, first[2]};
+    }
+    addBox(mesh, {-1, 0, -1}, {1, 1, 1}, false);
+    return mesh;
+}
+
+/// A tray of one layer, 2 x 1 x 2, open above, whose outside is its front.
+inline Mesh tray() {
+    Mesh mesh;
+    addBox(mesh, {-1, 0, -1}, {1, 1, 1}, false, top);
+    return mesh;
+}
+
+/// The lower half of a ball whose inside is its front.
+inline Mesh bowl() {
+    Mesh mesh;
+    const int around = 24, down = 8;
+    const auto at = [&](int i, int j) {
+        const float turn = 2 * (float) std::numbers::pi * (float) (i % around) / around;
+        const float fall = 0.5f * (float) std::numbers::pi * (float) j / down;
+        return glm::vec3(std::cos(fall) * std::cos(turn), -std::sin(fall),
+                         std::cos(fall) * std::sin(turn));
+    };
+    for (int i = 0; i < around; ++i)
+        for (int j = 0; j < down; ++j)
+            addQuad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    return mesh;
+}
+
+/// A closed block, grey in front and on its sides, that has a screen behind.
+inline Mesh screenBehind() {
+    Mesh mesh;
+    addBox(mesh, {-2, -1, -0.2f}, {2, 1, 0.2f}, false);
+    addQuad(mesh, {1.8f, -0.9f, -0.21f}, {-1.8f, -0.9f, -0.21f}, {-1.8f, 0.9f, -0.21f},
+            {1.8f, 0.9f, -0.21f}, 1);
+    return mesh;
+}
+
 /// A square of side 2 whose front looks along \p axis, forwards or backwards.
 inline Mesh square(int axis, bool forwards) {
     Mesh mesh;
@@ -213,6 +268,11 @@ inline std::vector<std::pair<std::string, Mesh>> objects() {
             {"sign", sign(1)},
             {"sign behind", sign(-1)},
             {"labels behind a board", labelsBehindABoard()},
+            {"case with a ball", caseWithABall()},
+            {"two-sided room", twoSidedRoom()},
+            {"tray", tray()},
+            {"bowl", bowl()},
+            {"screen behind", screenBehind()},
             {"wall", square(2, true)},
             {"wall behind", square(2, false)},
             {"floor", square(1, true)},
