@@ -8,8 +8,10 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <span>
 
-#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace dirt {
 
@@ -17,12 +19,17 @@ namespace {
 
 constexpr uint64_t kHighest = 0xfffffffe;
 
-glm::vec3 colour(const JsonValue& owner, const char* name, size_t components, glm::vec3 otherwise) {
-    const auto values = owner.numbers(name, components);
+/// Three numbers, or with alpha four.
+template <typename Vec>
+Vec colour(const JsonValue& owner, const char* name, Vec otherwise) {
+    const auto values = owner.numbers(name, (size_t) Vec::length());
     if (!values) return otherwise;
-    for (const double value : *values)
-        if (value < 0.0) owner.fail("has a negative " + std::string(name));
-    return {(float) (*values)[0], (float) (*values)[1], (float) (*values)[2]};
+    Vec colour;
+    for (int c = 0; c < Vec::length(); ++c) {
+        if ((*values)[(size_t) c] < 0.0) owner.fail("has a negative " + std::string(name));
+        colour[c] = (float) (*values)[(size_t) c];
+    }
+    return colour;
 }
 
 class SurfaceReader {
@@ -59,8 +66,9 @@ private:
     }
 
     /// Takes components above \p most for it.
-    void confine(const JsonValue& owner, const char* name, glm::vec3& colour, float most) {
-        const float largest = std::max({colour.x, colour.y, colour.z});
+    void confine(const JsonValue& owner, const char* name, std::span<float> components,
+                 float most) {
+        const float largest = *std::max_element(components.begin(), components.end());
         if (largest <= most) return;
         const auto message = [&] {
             char text[96];
@@ -69,20 +77,20 @@ private:
             return owner.place() + text;
         };
         faults_.add(WarningKind::unusableValue, name, 0, message);
-        colour = glm::min(colour, most);
+        for (float& component : components) component = std::min(component, most);
     }
 
     /// Returns the base colour's alpha.
     float metallicRoughness(const JsonValue& pbr, GltfFile::Surface& surface,
                             std::optional<uint64_t>& set) {
-        surface.material.diffuse = colour(pbr, "baseColorFactor", 4, glm::vec3(1.0f));
-        confine(pbr, "baseColorFactor", surface.material.diffuse, 1.0f);
+        glm::vec4 base = colour(pbr, "baseColorFactor", glm::vec4(1.0f));
+        confine(pbr, "baseColorFactor", {&base.x, 4}, 1.0f);
+        surface.material.diffuse = base;
         surface.metallic = (float) pbr.number("metallicFactor", 0.0, 1.0).value_or(1.0);
         surface.roughness = (float) pbr.number("roughnessFactor", 0.0, 1.0).value_or(1.0);
         surface.colour = textures_.use(pbr, "baseColorTexture", set);
         surface.metallicRoughness = textures_.use(pbr, "metallicRoughnessTexture", set);
-        const auto factor = pbr.numbers("baseColorFactor", 4);
-        return factor ? (float) (*factor)[3] : 1.0f;
+        return base.w;
     }
 
     /// A surface is cut out where alpha is below the cutoff, here where opacity is below 1/2. What
@@ -112,10 +120,10 @@ private:
     void emission(const JsonValue& source, GltfFile::Surface& surface,
                   std::optional<uint64_t>& set) {
         glm::vec3& emission = surface.material.emission;
-        emission = colour(source, "emissiveFactor", 3, glm::vec3(0.0f));
+        emission = colour(source, "emissiveFactor", glm::vec3(0.0f));
         if (const auto strength = extension(source, "KHR_materials_emissive_strength"))
             emission *= (float) strength->number("emissiveStrength", 0.0, 1e30).value_or(1.0);
-        confine(source, "radiance", emission, kMostRadiance);
+        confine(source, "radiance", {&emission.x, 3}, kMostRadiance);
         surface.emission = textures_.use(source, "emissiveTexture", set);
     }
 
@@ -129,7 +137,7 @@ private:
             reflectance = std::pow((n - 1.0) / (n + 1.0), 2.0);
         }
         if (const auto specular = extension(source, "KHR_materials_specular")) {
-            const glm::vec3 tint = colour(*specular, "specularColorFactor", 3, glm::vec3(1.0f));
+            const glm::vec3 tint = colour(*specular, "specularColorFactor", glm::vec3(1.0f));
             if (tint.x != tint.y || tint.y != tint.z)
                 ignored_.add("material specular specularColorFactor but its mean");
             const double mean = ((double) tint.x + tint.y + tint.z) / 3.0;

@@ -10,6 +10,7 @@
 #include <cfloat>
 #include <cstdio>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -23,19 +24,21 @@ struct ColourKey {
     std::optional<glm::vec3> MtlMaterial::*value;
     float most;
 };
-constexpr ColourKey kColours[] = {{"Ka", &MtlMaterial::ambient, FLT_MAX},
+constexpr ColourKey kColours[] = {{"Ka", &MtlMaterial::ambient, 1.0f},
                                   {"Kd", &MtlMaterial::diffuse, 1.0f},
-                                  {"Ks", &MtlMaterial::specular, FLT_MAX},
+                                  {"Ks", &MtlMaterial::specular, 1.0f},
                                   {"Ke", &MtlMaterial::emission, kMostRadiance}};
 
+/// Larger numbers are taken for `most`; that of Ns depends on the convention.
 struct NumberKey {
     std::string_view name;
     std::optional<float> MtlMaterial::*value;
+    float most;
 };
 constexpr NumberKey kNumbers[] = {
-    {"Ns", &MtlMaterial::exponent},     {"d", &MtlMaterial::opacity},
-    {"Tr", &MtlMaterial::transparency}, {"metallic", &MtlMaterial::metallic},
-    {"Pr", &MtlMaterial::roughness},    {"Pm", &MtlMaterial::metalness}};
+    {"Ns", &MtlMaterial::exponent, FLT_MAX},  {"d", &MtlMaterial::opacity, 1.0f},
+    {"Tr", &MtlMaterial::transparency, 1.0f}, {"metallic", &MtlMaterial::metallic, 1.0f},
+    {"Pr", &MtlMaterial::roughness, 1.0f},    {"Pm", &MtlMaterial::metalness, 1.0f}};
 
 struct MapKey {
     std::string_view name;
@@ -148,8 +151,9 @@ private:
     void number(const NumberKey& key, std::string_view arguments) {
         std::string_view word = takeWord(arguments);
         if (word == "-halo") word = takeWord(arguments);
-        const auto value = parse(key.name, word);
+        auto value = parse(key.name, word);
         if (!value) return;
+        confine(key.name, {&*value, 1}, key.most);
         MtlMaterial& material = result_.materials.back();
         material.*key.value = value;
         if (key.value == &MtlMaterial::opacity || !material.opacity) opacityAt(key);
@@ -173,21 +177,22 @@ private:
         if (count != 1 && count != 3)
             return fault(key.name, std::string(key.name) + " needs three numbers");
         if (count == 1) values.fill(values[0]);
-        confine(key, values);
+        confine(key.name, values, key.most);
         result_.materials.back().*key.value = glm::vec3(values[0], values[1], values[2]);
     }
 
-    void confine(const ColourKey& key, std::array<float, 3>& values) {
+    /// Takes what is above \p most for it, which is a fault.
+    void confine(std::string_view key, std::span<float> values, float most) {
         const float largest = *std::max_element(values.begin(), values.end());
-        if (largest <= key.most) return;
+        if (largest <= most) return;
         const auto message = [&] {
             char text[96];
-            std::snprintf(text, sizeof text, "%s %g is above %g, and taken for it", key.name.data(),
-                          (double) largest, (double) key.most);
+            std::snprintf(text, sizeof text, "%s %g is above %g, and taken for it", key.data(),
+                          (double) largest, (double) most);
             return std::string(text);
         };
-        faults_.add(WarningKind::unusableValue, std::string(key.name) + " above", line_, message);
-        for (float& value : values) value = std::min(value, key.most);
+        faults_.add(WarningKind::unusableValue, std::string(key) + " above", line_, message);
+        for (float& value : values) value = std::min(value, most);
     }
 
     /// A whole number; some files write it as 2.0.

@@ -75,8 +75,9 @@ struct MtlFile {
 };
 
 /// Reads an MTL file. Keys count in any letter case. A number that is malformed, negative or not
-/// finite is a fault, and its key counts as not there; a Kd above 1, or a Ke above kMostRadiance,
-/// is one as well, and taken for that. Throws InputError where the file cannot be read.
+/// finite is a fault, and its key counts as not there; one beyond what there can be (1; of Ke
+/// kMostRadiance; Ns and illum may be anything) is one as well, and taken for that. Throws
+/// InputError where the file cannot be read.
 MtlFile readMtl(const std::filesystem::path& file);
 /// The same; \p memory takes what the result needs.
 MtlFile readMtl(const std::filesystem::path& file, MemoryClaim& memory);

@@ -11,10 +11,6 @@ float mean(glm::vec3 colour) {
     return (colour.x + colour.y + colour.z) / 3.0f;
 }
 
-float atMostOne(float value) {
-    return std::min(value, 1.0f);
-}
-
 /// Whether the illumination model is one of those with a highlight and nothing more.
 bool hasHighlight(const MtlMaterial& source) {
     return source.illumination == 2;
@@ -38,7 +34,7 @@ bool isSpecularMirror(const MtlMaterial& source) {
 }
 
 float opacityOf(const MtlMaterial& source) {
-    if (source.opacity) return atMostOne(*source.opacity);
+    if (source.opacity) return *source.opacity;
     const float transparency = source.transparency.value_or(0.0f);
     return transparency < 1.0f ? 1.0f - transparency : 1.0f;
 }
@@ -47,10 +43,10 @@ Material demoMaterial(const MtlMaterial& source) {
     Material material;
     material.diffuse = source.diffuse.value_or(material.diffuse);
     material.emission = source.emission.value_or(material.emission);
-    if (source.specular) material.reflectance = atMostOne(source.specular->x);
+    if (source.specular) material.reflectance = source.specular->x;
     if (source.exponent) material.roughness = 1.0f - std::min(*source.exponent, 127.0f) / 127.0f;
-    material.opacity = atMostOne(source.opacity.value_or(1.0f));
-    material.metallic = atMostOne(source.metallic.value_or(0.0f));
+    material.opacity = source.opacity.value_or(1.0f);
+    material.metallic = source.metallic.value_or(0.0f);
     return material;
 }
 
@@ -63,13 +59,13 @@ Material wavefrontMaterial(const MtlMaterial& source) {
     float roughness = hasHighlight(source) ? 0.0f : 1.0f;
     if (source.exponent)
         roughness = 1.0f - std::sqrt(std::min(*source.exponent, 1000.0f) / 1000.0f);
-    if (source.roughness) roughness = atMostOne(*source.roughness);
+    if (source.roughness) roughness = *source.roughness;
     material.roughness = roughness * roughness;
 
     float metallic = 0.0f;
     if (reflects(source) && !isSpecularMirror(source))
-        metallic = source.ambient ? atMostOne(mean(*source.ambient)) : 1.0f;
-    if (source.metalness) metallic = atMostOne(*source.metalness);
+        metallic = source.ambient ? mean(*source.ambient) : 1.0f;
+    if (source.metalness) metallic = *source.metalness;
     material.metallic = metallic;
     const float dielectric = dielectricReflectance(source);
     material.reflectance = dielectric + (1.0f - dielectric) * metallic;
@@ -84,7 +80,7 @@ float highestReflectance(const MtlMaterial& source) {
 
 float dielectricReflectance(const MtlMaterial& source) {
     float specular = hasHighlight(source) ? 1.0f : 0.0f;
-    if (source.specular) specular = atMostOne(mean(*source.specular));
+    if (source.specular) specular = mean(*source.specular);
     return highestReflectance(source) * specular;
 }
 

@@ -57,6 +57,22 @@ TEST_F(GltfMaterial, TakesMoreThanAllLightForAllOfIt) {
         << loaded.warnings[1].text;
 }
 
+/// More than opaque is opaque, also of what a texture multiplies.
+TEST_F(GltfMaterial, TakesAnAlphaAboveOneForOne) {
+    const LoadedScene loaded = material(R"({"alphaMode": "MASK",
+        "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 1.5]}})");
+    EXPECT_EQ(loaded.scene.materials[0].opacity, 1.0f);
+    ASSERT_EQ(loaded.warnings.size(), 1u);
+    EXPECT_NE(loaded.warnings[0].text.find("has a baseColorFactor of 1.5, taken for 1"),
+              std::string::npos)
+        << loaded.warnings[0].text;
+    EXPECT_NE(errorOf([](auto& w) {
+                  w = mapped();
+                  w.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, -1};
+              }).find("has a negative baseColorFactor"),
+              std::string::npos);
+}
+
 TEST_F(GltfMaterial, SamplersRepeatMirrorAndClamp) {
     GltfWriter writer = mapped();
     writer.json["textures"][0]["sampler"] = 0;

@@ -59,7 +59,7 @@ TEST_F(Mtl, ReadsColoursAndTexture) {
 TEST_F(Mtl, ReadsEveryKey) {
     const MtlFile file =
         readFile("newmtl a\nKa .1 .2 .3\nKs 0.25 0.5 1\nNs 63.5\nd -halo 0.25\nTr 0.75\n"
-                 "metallic 2\nPr .5\nPm 1\nillum 3\nmap_Ks s.png\nmap_Ke e.png\nmap_Ns n.png\n"
+                 "metallic 1\nPr .5\nPm 1\nillum 3\nmap_Ks s.png\nmap_Ke e.png\nmap_Ns n.png\n"
                  "map_d d.png\nbump other.png\nmap_bump -bm -0.5 b.png\nnorm k.png\n"
                  "map_Pr r.png\nmap_Pm m.png\n");
     const MtlMaterial& a = file.materials.at(0);
@@ -69,7 +69,7 @@ TEST_F(Mtl, ReadsEveryKey) {
     EXPECT_EQ(a.opacity, 0.25f);
     EXPECT_EQ(a.opacityLine, 5u);
     EXPECT_EQ(a.transparency, 0.75f);
-    EXPECT_EQ(a.metallic, 2.0f);
+    EXPECT_EQ(a.metallic, 1.0f);
     EXPECT_TRUE(file.saysMetallic());
     EXPECT_EQ(a.roughness, 0.5f);
     EXPECT_EQ(a.metalness, 1.0f);
@@ -179,10 +179,28 @@ TEST_F(Mtl, TakesMoreThanAllLightForAllOfIt) {
     EXPECT_EQ(file.materials[0].diffuse, glm::vec3(1, 0.5f, 1));
     EXPECT_EQ(file.materials[1].diffuse, glm::vec3(1));
     EXPECT_EQ(file.materials[1].emission, glm::vec3(5, kMostRadiance, 0));
-    ASSERT_EQ(file.faults.size(), 2u);
+    ASSERT_EQ(file.faults.size(), 3u);
     EXPECT_EQ(file.faults[0].message, "Kd 2 is above 1, and taken for it");
     EXPECT_EQ(file.faults[0].count, 2u);
     EXPECT_EQ(file.faults[1].message, "Ke 1e+30 is above 7.92282e+28, and taken for it");
+    EXPECT_EQ(file.faults[2].message, "Ks 2 is above 1, and taken for it");
+}
+
+/// Each once a file, with its first place.
+TEST_F(Mtl, TakesMoreThanAWholeForOne) {
+    for (const char* key : {"Ka", "Ks", "d", "Tr", "metallic", "Pr", "Pm"}) {
+        const std::string name = key, line = name + " 1.5\n", second = name + " 7\n";
+        EXPECT_EQ(faults("newmtl a\n" + line + "newmtl b\n" + second),
+                  Strings{"2: " + name + " 1.5 is above 1, and taken for it"});
+        EXPECT_EQ(faults("newmtl a\n" + name + " 1\n"), Strings{});
+    }
+    const MtlMaterial a =
+        read("newmtl a\nKa 3 .5 0\nKs .25 9 1\nd 2\nTr 2\nmetallic 2\nPr 2\nPm 2\n").at(0);
+    EXPECT_EQ(a.ambient, glm::vec3(1, 0.5f, 0));
+    EXPECT_EQ(a.specular, glm::vec3(0.25f, 1, 1));
+    for (const auto& number : {a.opacity, a.transparency, a.metallic, a.roughness, a.metalness})
+        EXPECT_EQ(number, 1.0f);
+    EXPECT_EQ(read("newmtl a\nNs 2000\n").at(0).exponent, 2000.0f);
 }
 
 TEST_F(Mtl, LeavesOutOptionsThatCannotBeRead) {
