@@ -4,6 +4,7 @@
 #include "core/io/content_hash.h"
 
 #include <cstdio>
+#include <utility>
 
 namespace dirt {
 
@@ -83,39 +84,56 @@ TextureLoader::Key TextureLoader::keyOf(const Source& source, const std::string&
             what};
 }
 
+void TextureLoader::warn(WarningKind kind, const Source& source, const std::string& what) {
+    report_.warn(kind, source.namedBy, source.line, "texture " + inQuotes(source.label) + what);
+}
+
 /// What is read of the image; nothing where that is not possible, which is warned of once.
 const TextureLoader::Result& TextureLoader::load(const Key& key, const Source& source,
-                                                 const Read& read) {
+                                                 const Read& read, Numbers numbers) {
     const auto [entry, isNew] = loaded_.try_emplace(key);
     Result& result = entry->second;
-    if (!isNew) return result;
     if (announcing_) {
-        if (source.image) announced_.push_back({key, *source.image, read});
+        if (isNew && source.image) announced_.push_back({key, *source.image, read});
         return result;
     }
-    const std::string name = "texture " + inQuotes(source.label);
-    const auto warn = [&](WarningKind kind, const std::string& text) {
-        report_.warn(kind, source.namedBy, source.line, name + text);
-    };
-    if (!source.image) {
-        warn(WarningKind::unusableTexture, " not found");
-        return result;
+    if (isNew && !source.image) warn(WarningKind::unusableTexture, source, " not found");
+    if (isNew && source.image) {
+        const auto ahead = ahead_.extract(key);
+        result =
+            ahead ? std::move(ahead.mapped()) : std::move(this->read(*source.image, {&read, 1})[0]);
+        if (const auto* error = std::get_if<std::string>(&result.value))
+            warn(WarningKind::unusableTexture, source, ": " + *error);
     }
-    const auto ahead = ahead_.extract(key);
-    result =
-        ahead ? std::move(ahead.mapped()) : std::move(this->read(*source.image, {&read, 1})[0]);
-    if (const auto* error = std::get_if<std::string>(&result.value))
-        warn(WarningKind::unusableTexture, ": " + *error);
-    if (!result.fault.empty()) warn(WarningKind::unusableValue, ": " + result.fault);
+    noteNumbers(source, result, numbers);
     return result;
+}
+
+/// Warns of what the first use shows that is taken for other numbers, all in one line.
+void TextureLoader::noteNumbers(const Source& source, Result& result, Numbers numbers) {
+    std::string text = std::exchange(result.fault, {});
+    if (numbers == Numbers::unit && !std::exchange(result.isUnit, true)) {
+        TexelRange range;
+        if (const auto* colours = std::get_if<Texture>(&result.value)) range = colours->range();
+        if (const auto* data = std::get_if<ScalarTexture>(&result.value)) range = data->range();
+        if (range.least < 0.0f || range.largest > 1.0f) {
+            char beyond[128];
+            std::snprintf(beyond, sizeof beyond,
+                          "%shas numbers from %g to %g: those below 0 are taken for 0, those "
+                          "above 1 for 1",
+                          text.empty() ? "" : "; ", (double) range.least, (double) range.largest);
+            text += beyond;
+        }
+    }
+    if (!text.empty()) warn(WarningKind::unusableValue, source, ": " + text);
 }
 
 template <typename T>
 uint32_t TextureLoader::place(const Source& source, const std::string& what,
                               const TextureSampling& sampling, std::vector<T>& textures,
-                              const Read& read) {
+                              const Read& read, Numbers numbers) {
     const Key key = keyOf(source, what);
-    const auto* const texture = std::get_if<T>(&load(key, source, read).value);
+    const auto* const texture = std::get_if<T>(&load(key, source, read, numbers).value);
     if (!texture) return kNoTexture;
     const auto [entry, isNew] =
         places_.try_emplace({key, exactText(sampling)}, (uint32_t) textures.size());
@@ -124,49 +142,32 @@ uint32_t TextureLoader::place(const Source& source, const std::string& what,
 }
 
 uint32_t TextureLoader::colour(const Source& source, const TextureSampling& sampling,
-                               TexelEncoding encoding) {
-    if (encoding == TexelEncoding::linear)
-        return place(source, "linear colour", sampling, scene_.textures,
-                     [](const DecodedImage& image) { return readDataTexture(image); });
-    return place(source, "colour", sampling, scene_.textures,
-                 [](const DecodedImage& image) { return readTexture(image); });
+                               TexelEncoding encoding, Numbers numbers) {
+    const bool isLinear = encoding == TexelEncoding::linear;
+    const Read read = [isLinear](const DecodedImage& image) {
+        return isLinear ? readDataTexture(image) : readTexture(image);
+    };
+    return place(source, isLinear ? "linear colour" : "colour", sampling, scene_.textures, read,
+                 numbers);
 }
 
 uint32_t TextureLoader::data(const Source& source, const TextureSampling& sampling,
-                             ImageChannel channel) {
-    return place(
-        source, "data " + std::to_string((int) channel), sampling, scene_.scalarTextures,
-        [channel](const DecodedImage& image) { return readScalarTexture(image, channel); });
-}
-
-void TextureLoader::warnBeyondUnit(const Source& source, const TexelRange& range,
-                                   const void* texels) {
-    if (range.least >= 0.0f && range.largest <= 1.0f) return;
-    if (!beyondUnit_.insert(texels).second) return;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  ": has numbers from %g to %g: those below 0 are taken for 0, those above 1 for 1",
-                  (double) range.least, (double) range.largest);
-    report_.warn(WarningKind::unusableValue, source.namedBy, source.line,
-                 "texture " + inQuotes(source.label) + text);
+                             ImageChannel channel, Numbers numbers) {
+    const Read read = [channel](const DecodedImage& image) {
+        return readScalarTexture(image, channel);
+    };
+    return place(source, "data " + std::to_string((int) channel), sampling, scene_.scalarTextures,
+                 read, numbers);
 }
 
 uint32_t TextureLoader::reflectance(const Source& source, const TextureSampling& sampling,
                                     TexelEncoding encoding) {
-    const uint32_t index = colour(source, sampling, encoding);
-    if (index == kNoTexture) return index;
-    const Texture& texture = scene_.textures[index];
-    warnBeyondUnit(source, texture.range(), texture.identity());
-    return index;
+    return colour(source, sampling, encoding, Numbers::unit);
 }
 
 uint32_t TextureLoader::part(const Source& source, const TextureSampling& sampling,
                              ImageChannel channel) {
-    const uint32_t index = data(source, sampling, channel);
-    if (index == kNoTexture) return index;
-    const ScalarTexture& texture = scene_.scalarTextures[index];
-    warnBeyondUnit(source, texture.range(), texture.identity());
-    return index;
+    return data(source, sampling, channel, Numbers::unit);
 }
 
 TextureLoader::Relief TextureLoader::relief(const Source& source, const TextureSampling& sampling,
@@ -176,8 +177,8 @@ TextureLoader::Relief TextureLoader::relief(const Source& source, const TextureS
         if (isNormalMap(image)) return readDataTexture(image);
         return readScalarTexture(image, channel);
     };
-    return {place(source, what, sampling, scene_.scalarTextures, read),
-            place(source, what, sampling, scene_.textures, read)};
+    return {place(source, what, sampling, scene_.scalarTextures, read, Numbers::any),
+            place(source, what, sampling, scene_.textures, read, Numbers::any)};
 }
 
 uint32_t TextureLoader::alpha(const Source& source, float limit, const TextureSampling& sampling) {
@@ -186,10 +187,10 @@ uint32_t TextureLoader::alpha(const Source& source, float limit, const TextureSa
         if (!alpha) return {};
         return std::move(*alpha);
     };
-    const Result& loaded = load(keyOf(source, "alpha"), source, read);
+    const Result& loaded = load(keyOf(source, "alpha"), source, read, Numbers::any);
     const auto* const alpha = std::get_if<ScalarTexture>(&loaded.value);
     if (!alpha || !cutsOut(*alpha, limit)) return kNoTexture;
-    return place(source, "alpha", sampling, scene_.scalarTextures, read);
+    return place(source, "alpha", sampling, scene_.scalarTextures, read, Numbers::any);
 }
 
 } // namespace dirt

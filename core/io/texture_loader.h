@@ -10,7 +10,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -40,6 +39,12 @@ public:
 
     const MemoryBudget& budget() const { return budget_; }
 
+    /// Which numbers a use takes as they are; of others, all in one line, it warns.
+    enum class Numbers {
+        any, ///< that a texture can hold
+        unit ///< from 0 to 1: what is beyond is taken for the nearest
+    };
+
     /// From now on textures are only taken note of, without warnings, and every answer is that
     /// there is none.
     void announce() { announcing_ = true; }
@@ -50,15 +55,14 @@ public:
     /// In Scene::textures: the image's colours, by the curve of sRGB unless they are floats; or
     /// where they are linear, its first three channels as data (see readDataTexture).
     uint32_t colour(const Source& source, const TextureSampling& sampling = {},
-                    TexelEncoding encoding = TexelEncoding::srgb);
-    /// The same of what is taken for the nearest from 0 to 1, of which it warns: what a surface
-    /// reflects.
+                    TexelEncoding encoding = TexelEncoding::srgb, Numbers numbers = Numbers::any);
+    /// The same, of Numbers::unit: what a surface reflects.
     uint32_t reflectance(const Source& source, const TextureSampling& sampling,
                          TexelEncoding encoding = TexelEncoding::srgb);
     /// In Scene::scalarTextures: one channel of the image.
     uint32_t data(const Source& source, const TextureSampling& sampling = {},
-                  ImageChannel channel = ImageChannel::red);
-    /// The same of what is taken for the nearest from 0 to 1: roughness, metal, reflectance.
+                  ImageChannel channel = ImageChannel::red, Numbers numbers = Numbers::any);
+    /// The same, of Numbers::unit: roughness, metal, reflectance.
     uint32_t part(const Source& source, const TextureSampling& sampling, ImageChannel channel);
     /// What an image holds of a relief; the other is kNoTexture.
     struct Relief {
@@ -74,7 +78,8 @@ private:
     using Value = std::variant<std::monostate, Texture, ScalarTexture, std::string>;
     struct Result {
         Value value;
-        std::string fault; ///< which numbers were taken for others; empty: none
+        std::string fault;   ///< which numbers were taken for others; empty: none, or told of
+        bool isUnit = false; ///< a use of Numbers::unit has been looked at
     };
     using Read = std::function<Value(const DecodedImage&)>;
 
@@ -89,18 +94,18 @@ private:
 
     static Key keyOf(const Source& source, const std::string& what);
     std::vector<Result> read(const ImageFile& image, std::span<const Read> reads) const;
-    void warnBeyondUnit(const Source& source, const TexelRange& range, const void* texels);
-    const Result& load(const Key& key, const Source& source, const Read& read);
+    void warn(WarningKind kind, const Source& source, const std::string& what);
+    void noteNumbers(const Source& source, Result& result, Numbers numbers);
+    const Result& load(const Key& key, const Source& source, const Read& read, Numbers numbers);
     template <typename T>
     uint32_t place(const Source& source, const std::string& what, const TextureSampling& sampling,
-                   std::vector<T>& textures, const Read& read);
+                   std::vector<T>& textures, const Read& read, Numbers numbers);
 
     Scene& scene_;
     LoadReport& report_;
     MemoryBudget budget_;
     std::map<Key, Result> loaded_;
     std::map<std::pair<Key, std::string>, uint32_t> places_; ///< also by sampling
-    std::set<const void*> beyondUnit_;                       ///< texels that were warned of
     bool announcing_ = false;
     std::vector<Announced> announced_;
     std::map<Key, Result> ahead_;

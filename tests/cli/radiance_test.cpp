@@ -80,8 +80,9 @@ protected:
 };
 
 TEST_F(Radiance, ReflectancesAboveOneAreOne) {
-    for (const char* kd : {"Kd 2 2 2\n", "Kd 1e20 1e20 1e20\n"}) {
-        box(kd);
+    for (const char* lines :
+         {"Kd 2 2 2\n", "Kd 1e20 1e20 1e20\n", "Kd .5 .5 .5\nKs 2 2 2\nNs 30\n"}) {
+        box(lines);
         const std::string said = expectFinite(1e4f);
         EXPECT_EQ(count(said, "warning"), 1u) << said;
         EXPECT_EQ(count(said, "is above 1, and taken for it"), 1u) << said;
@@ -102,10 +103,22 @@ TEST_F(Radiance, MapsWithOtherNumbersAreSaid) {
                     "for 0, those above 1 for 1"),
               1u)
         << said;
-    box("Kd 1 1 1\nmap_Kd bad.exr\n");
-    said = expectFinite(1e4f);
-    EXPECT_EQ(count(said, "texture 'bad.exr': 4 numbers are not from 0 to 7.92282e+28"), 1u)
-        << said;
+    // Of numbers that are no radiance either, in the same line.
+    exr("huge.exr", {1e30f, 2e38f, 3e38f});
+    for (const auto& [name, how] :
+         {std::pair{"bad.exr",
+                    "4 numbers are not from 0 to 7.92282e+28: the nearest is taken, for a "
+                    "NaN 0; has numbers from 0 to 7.92282e+28: those below 0 are taken "
+                    "for 0, those above 1 for 1"},
+          std::pair{"huge.exr",
+                    "3 numbers are not from 0 to 7.92282e+28: the nearest is taken, for "
+                    "a NaN 0; has numbers from 7.92282e+28 to 7.92282e+28: those below "
+                    "0 are taken for 0, those above 1 for 1"}}) {
+        box("Kd 1 1 1\nmap_Kd " + std::string(name) + "\n");
+        said = expectFinite(1e4f);
+        EXPECT_EQ(count(said, "warning"), 1u) << said;
+        EXPECT_EQ(count(said, "texture '" + std::string(name) + "': " + how), 1u) << said;
+    }
     // The light's radiance is what it is.
     box("Kd 0.5 0.5 0.5\nKe 1 1 1\nmap_Ke big.exr\n");
     said = expectFinite(kMostRadiance);
@@ -119,6 +132,7 @@ TEST_F(Radiance, MapsOfDataWithOtherNumbersAreSaid) {
         box("Kd 0.5 0.5 0.5\nKs 0.5 0.5 0.5\nPr 0.5\n" + std::string(map) + " bad.exr\n");
         scene_ = folder_ / "a.obj";
         const std::string said = expectFinite(1e4f);
+        EXPECT_EQ(count(said, "warning"), 1u) << map << said;
         EXPECT_EQ(count(said, "numbers are not finite"), 1u) << map << said;
         EXPECT_EQ(count(said, "those below 0 are taken for 0, those above 1 for 1"), 1u)
             << map << said;

@@ -88,6 +88,33 @@ TEST_F(MtlTextures, WavefrontNamesTexturesThatOthersReplace) {
     EXPECT_EQ(loaded_.ignored, Names{"MTL map_Ks of a metal"});
 }
 
+/// One of Maya's IFF, with a tile that unpacks to more than it says: the library's reader of these
+/// writes beyond its buffer.
+TEST_F(MtlTextures, ImagesThatAreNotReadAreReplaced) {
+    const auto number = [](uint32_t value) {
+        return std::string{(char) (value >> 24), (char) (value >> 16), (char) (value >> 8),
+                           (char) value};
+    };
+    const auto chunk = [&](const char* name, const std::string& content) {
+        return name + number((uint32_t) content.size()) + content;
+    };
+    const std::string header = number(16) + number(16) + std::string("\0\1\0\1\0\0\0\3", 8) +
+                               std::string("\0\1\0\1\0\0\0\1\0\0\0\0\0\0\0\0", 16);
+    const std::string tile = std::string("\0\0\0\0\0\017\0\017", 8) + std::string(1016, '\377');
+    folder_.write("iff.png", chunk("FOR4", "CIMG" + chunk("TBHD", header) +
+                                               chunk("FOR4", "TBMP" + chunk("RGBA", tile))));
+    for (const auto convention : {kWavefront, kDemo}) {
+        const Material plain = load("Kd 1 0 0\nmap_Kd iff.png\n", convention);
+        EXPECT_EQ(plain.diffuseMap, kNoTexture);
+        EXPECT_EQ(plain.diffuse, Material().diffuse);
+        ASSERT_EQ(loaded_.warnings.size(), 1u);
+        EXPECT_EQ(loaded_.warnings[0].kind, WarningKind::unusableTexture);
+        EXPECT_NE(loaded_.warnings[0].text.find("is none of the images that are read: PNG, JPEG"),
+                  std::string::npos)
+            << loaded_.warnings[0].text;
+    }
+}
+
 TEST_F(MtlTextures, WavefrontKeepsNumbersOfMissingTextures) {
     const Material a = load("Pr 0.5\nPm 0.25\nKs .5 .5 .5\nmap_Pr none.png\n"
                             "map_Pm other.png\nmap_Ks third.png\n");
