@@ -9,6 +9,10 @@ namespace dirt {
 
 namespace {
 
+/// Of polygons with more corners, ears that follow each other share none: neighbours would make a
+/// fan of slivers as long as the polygon, of which each ray that leaves it passes thousands.
+constexpr uint32_t kMostOfAFan = 1024;
+
 /// Newell's normal, relative to the first corner so that a polygon far from the origin keeps its
 /// digits.
 glm::dvec3 newellNormal(std::span<const glm::vec3> polygon) {
@@ -166,6 +170,7 @@ std::span<const EarClipper::Ear> EarClipper::operator()(std::span<const glm::vec
         from = vertices_[vertex].next;
         if (!isEar(vertex, rule)) continue;
         cut(vertex);
+        if (count > kMostOfAFan) from = vertices_[from].next;
         first = from;
     }
     ears_.push_back({vertices_[first].previous, first, vertices_[first].next});

@@ -24,9 +24,10 @@ public:
     using Ear = std::array<uint32_t, 3>;
 
     /// Exactly n - 2 triangles for n >= 3 corners, none for fewer, wound as the polygon is; always
-    /// the same for the same corners. Convex polygons become a fan around corner 0. Corners that
-    /// coincide or lie in line, and polygons that cross themselves, give triangles too, if need be
-    /// without area. Valid until the next call.
+    /// the same for the same corners. Convex polygons of up to 1024 corners become a fan around
+    /// corner 0; of more, every second corner is cut off, round after round. Corners that coincide
+    /// or lie in line, and polygons that cross themselves, give triangles too, if need be without
+    /// area. Valid until the next call.
     std::span<const Ear> operator()(std::span<const glm::vec3> polygon);
 
 private:

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Counts up with each change of what readObj gives or of how it is stored.
-constexpr uint32_t kVersion = 2;
+constexpr uint32_t kVersion = 3;
 
 /// Files that are shorter are read in a millisecond.
 constexpr size_t kLeastSource = size_t(1) << 16;

@@ -50,6 +50,18 @@ TEST(EarClipping, MakesAFanOfConvexPolygons) {
               (Ears{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
 }
 
+/// So that a ray near one corner does not meet most of the triangles.
+TEST(EarClipping, SharesTheEarsOfManyCornersOut) {
+    Polygon parabola;
+    for (int x = -1000; x <= 1000; ++x) parabola.emplace_back(x, x * x, 0);
+    expectExactCover(parabola);
+    std::vector<int> triangles(parabola.size());
+    for (const auto& ear : clip(parabola))
+        for (const uint32_t corner : ear) ++triangles[corner];
+    // Two for each time that half of the corners go.
+    EXPECT_LE(*std::max_element(triangles.begin(), triangles.end()), 2 * 11);
+}
+
 TEST(EarClipping, NeedsThreeCorners) {
     EXPECT_TRUE(clip({}).empty());
     EXPECT_TRUE(clip({{0, 0, 0}, {1, 0, 0}}).empty());
