@@ -4,10 +4,14 @@
 
 #include "core/io/load_report.h"
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 
 #include <draco/compression/decode.h>
+#include <draco/compression/point_cloud/point_cloud_decoder.h>
+#include <draco/core/varint_decoding.h>
+#include <draco/metadata/metadata_decoder.h>
 
 namespace dirt {
 
@@ -15,9 +19,55 @@ namespace {
 
 constexpr uint64_t kHighest = 0xfffffffe;
 
-std::unique_ptr<draco::Mesh> decode(std::span<const std::byte> bytes, const JsonValue& from) {
+/// What a mesh says it has, before anything of it is decoded. The decoder takes memory by these
+/// numbers and looks at its data afterwards.
+struct Counts {
+    uint32_t points = 0, faces = 0;
+};
+
+/// Counts of the bitstream 2.2, which glTF asks for; nothing where they are not there.
+std::optional<Counts> countsOf(draco::DecoderBuffer buffer) {
+    draco::DracoHeader header;
+    if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok()) return {};
+    const uint16_t version = DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor);
+    if (version != DRACO_BITSTREAM_VERSION(2, 2)) return {};
+    buffer.set_bitstream_version(version);
+    draco::GeometryMetadata metadata;
+    if ((header.flags & METADATA_FLAG_MASK) != 0 &&
+        !draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata))
+        return {};
+    Counts counts;
+    bool there = true;
+    if (header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING) {
+        uint8_t traversal = 0;
+        there = buffer.Decode(&traversal) && draco::DecodeVarint(&counts.points, &buffer) &&
+                draco::DecodeVarint(&counts.faces, &buffer);
+    } else {
+        there = draco::DecodeVarint(&counts.faces, &buffer) &&
+                draco::DecodeVarint(&counts.points, &buffer);
+    }
+    return there ? std::optional(counts) : std::nullopt;
+}
+
+/// Takes what decoding needs, in \p memory. Compressed faces may be far less than a byte, but not
+/// without end.
+void claim(const draco::DecoderBuffer& buffer, size_t bytes, MemoryClaim& memory,
+           const JsonValue& from) {
+    constexpr uint64_t kFree = 1 << 16, kPerByte = 1024; // faces, or points
+    constexpr uint64_t kOfAFace = 40, kOfAPoint = 32;    // tables of corners, of vertices
+    const auto counts = countsOf(buffer);
+    if (!counts) from.fail("holds no Draco mesh of version 2.2 that can be read");
+    if (std::max(counts->points, counts->faces) > kFree + kPerByte * bytes)
+        from.fail("claims more than its bytes can hold");
+    memory.take(kOfAFace * counts->faces + kOfAPoint * counts->points, from.file(), from.place());
+}
+
+std::unique_ptr<draco::Mesh> decode(std::span<const std::byte> bytes, const MemoryBudget& budget,
+                                    const JsonValue& from) {
     draco::DecoderBuffer buffer;
     buffer.Init((const char*) bytes.data(), bytes.size());
+    MemoryClaim meanwhile(budget);
+    claim(buffer, bytes.size(), meanwhile, from);
     try {
         draco::Decoder decoder;
         auto mesh = decoder.DecodeMeshFromBuffer(&buffer);
@@ -50,8 +100,8 @@ std::optional<DracoMesh> readDraco(const GltfData& data, const JsonValue& primit
     const auto source =
         extensions ? extensions->object("KHR_draco_mesh_compression") : std::nullopt;
     if (!source) return std::nullopt;
-    const auto mesh =
-        decode(data.view(source->requiredInteger("bufferView", kHighest), *source), *source);
+    const auto mesh = decode(data.view(source->requiredInteger("bufferView", kHighest), *source),
+                             data.memory().budget(), *source);
     uint64_t bytes = 3 * sizeof(uint32_t) * uint64_t(mesh->num_faces());
     for (int i = 0; i < mesh->num_attributes(); ++i)
         bytes += sizeof(float) * uint64_t(mesh->num_points()) *

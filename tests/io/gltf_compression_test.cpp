@@ -2,6 +2,7 @@
 // where the build has them; refused in one line, or read from the plain fallback, where it has not.
 
 #include "tests/io/gltf_fixture.h"
+#include "tests/support/processor_time.h"
 
 #ifdef DIRT_HAVE_DRACO
 #include <draco/compression/encode.h>
@@ -75,6 +76,51 @@ TEST_F(Gltf, ReadsDracoMeshes) {
     EXPECT_TRUE(loaded.ignored.empty());
     for (size_t length = 0; length < bytes.size(); ++length)
         EXPECT_NE(error("a.gltf", dracoFile(bytes.substr(0, length)).embedded()), "") << length;
+}
+
+std::string varint(uint32_t value) {
+    std::string bytes;
+    for (; value >= 128; value >>= 7) bytes += (char) (value | 128);
+    return bytes + (char) value;
+}
+
+/// Faces are claimed in a few bytes, and the decoder makes its tables before it reads any.
+TEST_F(Gltf, DracoMeshesAreNoLargerThanTheirBytes) {
+    draco::TriangleSoupMeshBuilder builder;
+    builder.Start(2);
+    const int positions =
+        builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    const float p[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    builder.SetAttributeValuesForFace(positions, draco::FaceIndex(0), p[0], p[1], p[2]);
+    builder.SetAttributeValuesForFace(positions, draco::FaceIndex(1), p[2], p[1], p[3]);
+    const auto mesh = builder.Finalize();
+    draco::Encoder encoder;
+    encoder.SetEncodingMethod(draco::MESH_EDGEBREAKER_ENCODING);
+    draco::EncoderBuffer buffer;
+    ASSERT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
+    const std::string bytes(buffer.data(), buffer.size());
+    // Vertices, faces, sets of attributes, symbols.
+    ASSERT_EQ(bytes.substr(12, 4), std::string("\4\2\0\2", 4));
+    const auto claiming = [&](uint32_t count) {
+        const std::string number = varint(count);
+        GltfWriter writer = dracoFile(bytes.substr(0, 12) + number + number + bytes[14] + number +
+                                      bytes.substr(16));
+        writer.json["meshes"][0]["primitives"][0]["attributes"] = {{"POSITION", 0}};
+        return writer.embedded();
+    };
+    for (const uint32_t count : {20'000'000u, 1'000'000'000u}) {
+        std::string what;
+        EXPECT_LT(test::processorTime([&] { what = error("a.gltf", claiming(count)); }), 1.0);
+        EXPECT_NE(what.find("claims more than its bytes can hold"), what.npos) << what;
+    }
+    EXPECT_NE(error("a.gltf", claiming(50'000)).find("holds no Draco mesh that can be read"),
+              std::string::npos);
+    LoadOptions options;
+    options.memory = MemoryBudget(1'000'000);
+    EXPECT_NE(inputError([&] {
+                  loadScene(folder_.write("b.gltf", claiming(50'000)), options);
+              }).find("KHR_draco_mesh_compression needs "),
+              std::string::npos);
 }
 
 #endif
