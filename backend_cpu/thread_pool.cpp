@@ -1,7 +1,5 @@
 #include "backend_cpu/thread_pool.h"
 
-#include "core/base/denormals.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -30,21 +28,20 @@ ThreadPool::~ThreadPool() {
     for (std::thread& worker : workers_) worker.join();
 }
 
-void ThreadPool::forRange(size_t count, size_t grain,
-                          const std::function<void(size_t, size_t)>& body) {
+void ThreadPool::runPieces(size_t count, size_t grain, const Piece& piece) {
     if (count == 0) return;
     {
         const std::lock_guard lock(mutex_);
         loop_.count = count;
         loop_.grain = std::max<size_t>(grain, 1);
-        loop_.body = &body;
+        loop_.piece = &piece;
         loop_.next = 0;
         loop_.error = nullptr;
         busy_ = workers_.size();
         ++generation_;
     }
     start_.notify_all();
-    runPieces();
+    takePart();
     std::unique_lock lock(mutex_);
     done_.wait(lock, [this] { return busy_ == 0; });
     if (loop_.error) std::rethrow_exception(loop_.error);
@@ -59,19 +56,18 @@ void ThreadPool::work() {
             if (stopping_) return;
             seen = generation_;
         }
-        runPieces();
+        takePart();
         const std::lock_guard lock(mutex_);
         if (--busy_ == 0) done_.notify_one();
     }
 }
 
-void ThreadPool::runPieces() {
-    const FlushDenormals flush;
+void ThreadPool::takePart() {
     for (;;) {
         const size_t begin = loop_.next.fetch_add(loop_.grain);
         if (begin >= loop_.count) return;
         try {
-            (*loop_.body)(begin, std::min(begin + loop_.grain, loop_.count));
+            (*loop_.piece)(begin, std::min(begin + loop_.grain, loop_.count));
         } catch (...) {
             const std::lock_guard lock(mutex_);
             if (!loop_.error) loop_.error = std::current_exception();

@@ -12,8 +12,8 @@
 
 namespace dirt {
 
-/// A fixed set of threads that share the pieces of one loop at a time; the caller is one of them.
-/// Denormals are flushed while a piece runs (G7).
+/// A fixed set of threads that share the pieces of one loop at a time; the caller is one of them. A
+/// loop is not to be run from inside a piece.
 class ThreadPool final : public Executor {
 public:
     /// Makes a thread; throws where there cannot be one more.
@@ -26,9 +26,6 @@ public:
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
-    /// Not to be called from inside a piece.
-    void forRange(size_t count, size_t grain,
-                  const std::function<void(size_t begin, size_t end)>& body) override;
     unsigned threads() const override { return (unsigned) workers_.size() + 1; }
     /// How many threads could not be made.
     unsigned missing() const { return missing_; }
@@ -36,13 +33,14 @@ public:
 private:
     struct Loop {
         size_t count = 0, grain = 1;
-        const std::function<void(size_t, size_t)>* body = nullptr;
+        const Piece* piece = nullptr;
         std::atomic<size_t> next{0};
         std::exception_ptr error;
     };
+    void runPieces(size_t count, size_t grain, const Piece& piece) override;
     static std::thread startThread(std::function<void()> run);
     void work();
-    void runPieces();
+    void takePart();
 
     std::vector<std::thread> workers_;
     unsigned missing_ = 0;

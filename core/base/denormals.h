@@ -3,7 +3,7 @@
 #include "shaders/shared/rounding.h"
 
 #if defined(__x86_64__) || defined(_M_X64)
-#include <immintrin.h>
+#include <xmmintrin.h>
 #endif
 
 namespace dirt {

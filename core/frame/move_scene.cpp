@@ -1,6 +1,5 @@
 #include "core/frame/move_scene.h"
 
-#include "core/base/denormals.h"
 #include "core/base/error.h"
 
 #include <atomic>
@@ -47,7 +46,6 @@ struct Move {
           normalToWorld(normalMatrix(glm::dmat3(matrix))) {}
 
     void positions(size_t begin, size_t end) {
-        const FlushDenormals flush; // as on every other executor
         bool allFinite = true;
         for (size_t i = begin; i < end; ++i) {
             const glm::vec3 p = transformed(toWorld, part.positions[i]);
@@ -57,7 +55,6 @@ struct Move {
         if (!allFinite) finite = false;
     }
     void normals(size_t begin, size_t end) {
-        const FlushDenormals flush;
         for (size_t i = begin; i < end; ++i)
             mesh.normals[part.firstNormal + i] = turned(normalToWorld, part.normals[i]);
     }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -62,6 +64,28 @@ TEST(ThreadPool, RethrowsAndGoesOn) {
     std::atomic<int> pieces{0};
     pool.forRange(100, 10, [&](size_t, size_t) { ++pieces; });
     EXPECT_EQ(pieces, 10);
+}
+
+/// G7 is the Executor's, so that no algorithm has to see to it and no kind of executor can forget
+/// it.
+TEST(Executor, FlushesDenormalsInEveryPieceAndNowhereElse) {
+    const volatile float tiny = 0x1p-100f;
+    const auto keepsDenormals = [&] { return tiny * 0x1p-40f != 0.0f; };
+    ASSERT_TRUE(keepsDenormals());
+    SerialExecutor serial;
+    ThreadPool pool(3);
+    for (Executor* executor : {(Executor*) &serial, (Executor*) &pool}) {
+        std::atomic<int> kept{0}, pieces{0};
+        executor->forRange(100, 1, [&](size_t, size_t) {
+            ++pieces;
+            kept += keepsDenormals();
+        });
+        EXPECT_EQ(pieces, 100);
+        EXPECT_EQ(kept, 0);
+        EXPECT_THROW(executor->forRange(1, 1, [](size_t, size_t) { throw std::bad_alloc(); }),
+                     std::bad_alloc);
+        EXPECT_TRUE(keepsDenormals());
+    }
 }
 
 } // namespace

@@ -17,12 +17,13 @@ namespace {
 /// Runs the pieces of a loop from the last to the first, in pieces of \p grain at most.
 class BackwardExecutor final : public Executor {
 public:
-    void forRange(size_t count, size_t grain,
-                  const std::function<void(size_t, size_t)>& body) override {
-        for (size_t piece = (count + grain - 1) / grain; piece-- > 0;)
-            body(piece * grain, std::min(count, (piece + 1) * grain));
-    }
     unsigned threads() const override { return 1; }
+
+private:
+    void runPieces(size_t count, size_t grain, const Piece& piece) override {
+        for (size_t i = (count + grain - 1) / grain; i-- > 0;)
+            piece(i * grain, std::min(count, (i + 1) * grain));
+    }
 };
 
 RenderSettings settings(ViewMode mode = ViewMode::full) {
