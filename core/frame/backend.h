@@ -75,6 +75,7 @@ public:
     virtual FrameGeometry readGeometry() const = 0;
     /// Whether the structure is a grid, which readGrid and writeGrid need.
     virtual bool hasGrid() const = 0;
+    /// A copy of the structure, each list in the order of ids.
     virtual Grid readGrid() const = 0;
     virtual void writeGrid(const Grid& grid) = 0;
     /// Buffers that the frame does not need are empty.

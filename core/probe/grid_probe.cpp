@@ -121,10 +121,14 @@ Ids GridProbe::ids(const Tile& tile) const {
     return all;
 }
 
-std::vector<Cell> GridProbe::cellsOf(uint32_t id) const {
+void GridProbe::checkId(uint32_t id) const {
     if (id >= geometry_.triangles.size())
         throw std::out_of_range("there is no triangle " + std::to_string(id) + " of " +
                                 std::to_string(geometry_.triangles.size()));
+}
+
+std::vector<Cell> GridProbe::cellsOf(uint32_t id) const {
+    checkId(id);
     std::vector<Cell> cells;
     for (size_t v = 0; v < grid_.views.size(); ++v)
         for (int tile = 0; tile < grid_.views[v].tiles(); ++tile)
@@ -137,9 +141,10 @@ std::vector<Cell> GridProbe::cellsOf(uint32_t id) const {
     return cells;
 }
 
-Ray GridProbe::gridRay(glm::vec3 origin, glm::vec3 direction) const {
+Ray GridProbe::gridRay(glm::vec3 origin, glm::vec3 direction, uint32_t skip) const {
+    if (skip != kNoPrimitive) checkId(skip);
     const GridFrame& frame = geometry_.frame;
-    return {frame.toGrid(origin), frame.directionToGrid(direction) * frame.scale};
+    return {frame.toGrid(origin), frame.directionToGrid(direction) * frame.scale, skip};
 }
 
 std::vector<Cell> GridProbe::visited(glm::vec3 origin, glm::vec3 direction) const {
@@ -149,8 +154,9 @@ std::vector<Cell> GridProbe::visited(glm::vec3 origin, glm::vec3 direction) cons
     return cells;
 }
 
-Hit GridProbe::hit(glm::vec3 origin, glm::vec3 direction) const {
-    return closestHit(grid_, geometry_, gridRay(origin, direction));
+Hit GridProbe::hit(glm::vec3 origin, glm::vec3 direction, uint32_t skip, float tMax) const {
+    const Hit nearest = closestHit(grid_, geometry_, gridRay(origin, direction, skip));
+    return nearest.t < tMax ? nearest : Hit();
 }
 
 int GridProbe::indexOf(const Tile& tile) const {

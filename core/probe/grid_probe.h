@@ -4,6 +4,7 @@
 #include "core/probe/cell.h"
 #include "core/trace/ray.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -68,8 +69,10 @@ public:
 
     /// The non-empty cells that the ray visits, in the order of t.
     std::vector<Cell> visited(glm::vec3 origin, glm::vec3 direction) const;
-    /// The nearest hit through the grid; t in units of \p direction.
-    Hit hit(glm::vec3 origin, glm::vec3 direction) const;
+    /// The nearest hit through the grid at t < \p tMax, in units of \p direction. The triangle
+    /// \p skip, from which the ray starts, is not hit, nor is one with the same corners.
+    Hit hit(glm::vec3 origin, glm::vec3 direction, uint32_t skip = kNoPrimitive,
+            float tMax = std::numeric_limits<float>::infinity()) const;
 
     // What to print when a test fails.
 
@@ -80,9 +83,10 @@ public:
     std::string describe() const;
 
     /// The ray in the grid frame, its t unchanged: for the functions of core/trace.
-    Ray gridRay(glm::vec3 origin, glm::vec3 direction) const;
+    Ray gridRay(glm::vec3 origin, glm::vec3 direction, uint32_t skip = kNoPrimitive) const;
 
 private:
+    void checkId(uint32_t id) const;
     std::vector<Tile> tilesOfGridPoint(glm::vec3 point) const;
     int indexOf(const Tile& tile) const;
     Cell cellOf(int view, int tile, int bin) const;

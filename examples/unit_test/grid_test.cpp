@@ -87,6 +87,21 @@ TEST(Grid, ARayVisitsTheCellOfItsHit) {
 }
 //! end
 
+//! limits
+TEST(Grid, ARayLeavesItsOwnTriangleAndEndsWhereItIsTold) {
+    const GridProbe probe(kWallAndFlag, Camera{}, smallGrid());
+    const glm::vec3 onFlag(0.2f, 0.15f, -2), away(0, 0, -1);
+
+    // A ray that starts on a triangle must not hit that one.
+    EXPECT_EQ(probe.hit(onFlag, away).primitive, 1u);
+    EXPECT_EQ(probe.hit(onFlag, away, 1).primitive, 0u);
+
+    // The wall is 2 behind the flag: a hit at t < 3, none at t < 2.
+    EXPECT_EQ(probe.hit(onFlag, away, 1, 3.0f).primitive, 0u);
+    EXPECT_EQ(probe.hit(onFlag, away, 1, 2.0f).primitive, kNoPrimitive);
+}
+//! end
+
 //! describe
 TEST(Grid, DescribesATile) {
     const GridProbe probe(kWallAndFlag, Camera{}, smallGrid());

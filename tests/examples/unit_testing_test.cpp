@@ -8,7 +8,8 @@ namespace {
 
 TEST(UnitTestingPage, ShowsTheExamplesAsTheyAre) {
     auto expected = markedParts(sourceFile("examples/unit_test/grid_test.cpp"));
-    EXPECT_GE(expected.size(), 9u);
+    EXPECT_GE(expected.size(), 10u);
+    expected.merge(markedParts(sourceFile("examples/unit_test/gl_test.cpp")));
     expected["cmake"] = sourceFile("examples/unit_test/CMakeLists.txt");
     const auto shown = shownParts(sourceFile("docs/unit-testing.md"));
     for (const auto& [name, text] : expected) {
