@@ -205,12 +205,12 @@ void testCandidate(inout Walker w, inout Search search, Candidate candidate) {
 /// The next view in the order in which the ray enters them.
 void nextView(inout Walker w, Search search) {
     int next = -1;
-    ViewRay nextRay;
-    ViewSpan nextSpan;
+    SeenRay nextRay;
+    SeenSpan nextSpan;
     for (int view = 0; view < grid.views; ++view) {
         if ((w.pendingViews >> view & 1u) == 0u) continue;
-        ViewRay ray = makeViewRay(view, search.ray);
-        ViewSpan span;
+        SeenRay ray = seenRay(view, search.ray);
+        SeenSpan span;
         if (!clipToView(ray, span)) {
             w.pendingViews &= ~(1u << view);
         } else if (next < 0 || span.begin < nextSpan.begin) {
@@ -272,7 +272,7 @@ Walker firstTurn(Search search) {
         search.ray.origin != vec3(0.0) && // from there it meets nothing there
         crossProduct(dvec3(search.ray.origin), dvec3(search.ray.direction)) == dvec3(0.0LF);
     w.phase = throughEye ? kEye : kNextView;
-    if (!isTraceable(search.ray)) w.phase = kDone;
+    if (!isTraceable(search.ray.origin, search.ray.direction)) w.phase = kDone;
 #if DIRT_ANY_HIT
     if (!(search.maxT > 0.0)) w.phase = kDone;
 #endif
@@ -293,8 +293,8 @@ Walker resumed(State state, inout Search search, Hit best) {
     w.at = state.at;
     w.again = w.phase == kList;
     if (w.phase < kStep || w.phase == kDone) return w;
-    ViewSpan span;
-    w.walk.ray = makeViewRay(state.view, search.ray);
+    SeenSpan span;
+    w.walk.ray = seenRay(state.view, search.ray);
     clipToView(w.walk.ray, span);
     w.walk.view = state.view;
     w.walk.top = topLevel;

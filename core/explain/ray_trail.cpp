@@ -9,10 +9,6 @@ namespace dirt {
 
 namespace {
 
-int signOf(double x) {
-    return (x > 0.0) - (x < 0.0);
-}
-
 /// Writes down what a traversal says.
 class Recorder final : public TraversalWatcher {
 public:

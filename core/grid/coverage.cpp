@@ -1,8 +1,8 @@
 #include "core/grid/coverage.h"
 
-#include "core/base/denormals.h"
 #include "core/base/exact_sum.h"
 #include "shaders/shared/margins.h"
+#include "shaders/shared/tile_coverage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +39,7 @@ glm::vec3 scaledToUnit(glm::dvec3 v) {
     int exponent = 0;
     std::frexp(largest, &exponent);
     const double scale = std::ldexp(1.0, -exponent);
-    return {flushed((float) (v.x * scale)), flushed((float) (v.y * scale)),
-            flushed((float) (v.z * scale))};
+    return flushed(glm::vec3(v * scale));
 }
 
 /// a x b; each component is the exact difference of two products, rounded once.
@@ -90,32 +89,27 @@ bool clipDirections(ViewTriangle& triangle) {
 }
 
 /// Whether all directions lie strictly beyond a border: before = on the small side of slope.
-template <int Component>
-bool allBefore(const ViewTriangle& triangle, float slope) {
+bool allBefore(const ViewTriangle& triangle, int axis, float slope) {
     for (int i = 0; i < triangle.directionCount; ++i) {
-        const glm::vec3& d = triangle.directions[i];
-        if (d[Component] - slope * d.z >= 0.0f) return false;
+        if (borderDistance(triangle.directions[i], axis, slope) >= 0.0f) return false;
     }
     return true;
 }
-template <int Component>
-bool allBehind(const ViewTriangle& triangle, float slope) {
+bool allBehind(const ViewTriangle& triangle, int axis, float slope) {
     for (int i = 0; i < triangle.directionCount; ++i) {
-        const glm::vec3& d = triangle.directions[i];
-        if (d[Component] - slope * d.z <= 0.0f) return false;
+        if (borderDistance(triangle.directions[i], axis, slope) <= 0.0f) return false;
     }
     return true;
 }
 
 /// First and last cell of one axis that is not separated by its side planes. Rounding is monotone,
 /// so the predicates are monotone in the index, and bisection decides as a loop over all would.
-template <int Component>
-std::pair<int, int> cellRange(const ViewTriangle& triangle, const std::vector<float>& lo,
+std::pair<int, int> cellRange(const ViewTriangle& triangle, int axis, const std::vector<float>& lo,
                               const std::vector<float>& hi) {
     const auto first = std::partition_point(
-        hi.begin(), hi.end(), [&](float slope) { return allBehind<Component>(triangle, slope); });
+        hi.begin(), hi.end(), [&](float slope) { return allBehind(triangle, axis, slope); });
     const auto last = std::partition_point(
-        lo.begin(), lo.end(), [&](float slope) { return !allBefore<Component>(triangle, slope); });
+        lo.begin(), lo.end(), [&](float slope) { return !allBefore(triangle, axis, slope); });
     return {(int) (first - hi.begin()), (int) (last - lo.begin()) - 1};
 }
 
@@ -135,27 +129,21 @@ bool setUpTriangle(const Triangle& triangle, const View& view, ViewTriangle& out
 }
 
 TileRange tileRange(const ViewTriangle& triangle, const View& view) {
-    const auto [column0, column1] = cellRange<0>(triangle, view.sLo, view.sHi);
-    const auto [row0, row1] = cellRange<1>(triangle, view.tLo, view.tHi);
+    const auto [column0, column1] = cellRange(triangle, 0, view.sLo, view.sHi);
+    const auto [row0, row1] = cellRange(triangle, 1, view.tLo, view.tHi);
     return {column0, column1, row0, row1};
 }
 
 bool edgesSeparate(const ViewTriangle& triangle, const View& view, int column, int row) {
-    const float s0 = view.sLo[column], s1 = view.sHi[column];
-    const float t0 = view.tLo[row], t1 = view.tHi[row];
-    for (const glm::vec3& n : triangle.edges) {
-        const bool right = n.x > 0.0f, below = n.y > 0.0f;
-        // The tile's corner farthest inside.
-        if ((n.x * (right ? s1 : s0) + n.y * (below ? t1 : t0)) + n.z < 0.0f) return true;
-        if (triangle.edgeOn() && (n.x * (right ? s0 : s1) + n.y * (below ? t0 : t1)) + n.z > 0.0f)
-            return true;
-    }
-    return false;
+    const glm::vec2 s(view.sLo[column], view.sHi[column]), t(view.tLo[row], view.tHi[row]);
+    return std::any_of(triangle.edges.begin(), triangle.edges.end(), [&](const glm::vec3& n) {
+        return edgeSeparates(n, triangle.edgeOn(), s, t);
+    });
 }
 
 bool overlaps(const ViewTriangle& triangle, const View& view, int column, int row) {
-    return !allBefore<0>(triangle, view.sLo[column]) && !allBehind<0>(triangle, view.sHi[column]) &&
-           !allBefore<1>(triangle, view.tLo[row]) && !allBehind<1>(triangle, view.tHi[row]) &&
+    return !allBefore(triangle, 0, view.sLo[column]) && !allBehind(triangle, 0, view.sHi[column]) &&
+           !allBefore(triangle, 1, view.tLo[row]) && !allBehind(triangle, 1, view.tHi[row]) &&
            !edgesSeparate(triangle, view, column, row);
 }
 

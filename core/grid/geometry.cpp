@@ -42,7 +42,7 @@ glm::vec3 GridFrame::directionToGrid(glm::vec3 p) const {
 
 glm::vec3 GridFrame::toGrid(glm::vec3 world) const {
     const glm::vec3 p = unscaled(*this, world);
-    return {flushed(p.x * scale), flushed(p.y * scale), flushed(p.z * scale)};
+    return flushed(p * scale);
 }
 
 CameraBasis cameraBasis(const Camera& camera) {

@@ -39,10 +39,6 @@ double directionDeterminantExact(glm::vec3 d, glm::vec3 a, glm::vec3 b, glm::vec
 
 namespace {
 
-int sign(double x) {
-    return (x > 0.0) - (x < 0.0);
-}
-
 template <class Vec>
 double maxNorm(const Vec& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -57,7 +53,7 @@ double oneNorm(const Vec& v) {
 int certainSign(const glm::dvec3& v, const glm::dvec3& x, const glm::dvec3& y) {
     const double value = glm::dot(v, glm::cross(x, y));
     const double bound = kEdgeError * oneNorm(v) * maxNorm(x) * maxNorm(y);
-    return std::abs(value) > bound ? sign(value) : 0;
+    return std::abs(value) > bound ? signOf(value) : 0;
 }
 
 } // namespace
@@ -65,13 +61,13 @@ int certainSign(const glm::dvec3& v, const glm::dvec3& x, const glm::dvec3& y) {
 int planeSide(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     const glm::dvec3 from(a);
     const int side = certainSign(glm::dvec3(p) - from, glm::dvec3(b) - from, glm::dvec3(c) - from);
-    return side != 0 ? side : sign(planeDeterminantExact(p, a, b, c));
+    return side != 0 ? side : signOf(planeDeterminantExact(p, a, b, c));
 }
 
 int directionSide(glm::vec3 d, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     const glm::dvec3 from(a);
     const int side = certainSign(glm::dvec3(d), glm::dvec3(b) - from, glm::dvec3(c) - from);
-    return side != 0 ? side : sign(directionDeterminantExact(d, a, b, c));
+    return side != 0 ? side : signOf(directionDeterminantExact(d, a, b, c));
 }
 
 } // namespace dirt

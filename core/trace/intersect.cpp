@@ -2,7 +2,7 @@
 
 #include "core/base/denormals.h"
 #include "core/trace/determinant.h"
-#include "shaders/shared/margins.h"
+#include "shaders/shared/hit_rules.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -146,19 +146,11 @@ bool sameVertices(const Triangle& a, const Triangle& b) {
 }
 
 bool isTraceable(const Ray& ray) {
-    // A sum of finite magnitudes may overflow, a comparison per component cannot.
-    for (int i = 0; i < 3; ++i)
-        if (!(std::abs(ray.origin[i]) <= FLT_MAX && std::abs(ray.direction[i]) <= FLT_MAX))
-            return false;
-    return ray.direction != glm::vec3(0.0f);
+    return isTraceable(ray.origin, ray.direction);
 }
 
-Ray flushedRay(Ray ray) {
-    for (int i = 0; i < 3; ++i) {
-        ray.origin[i] = flushed(ray.origin[i]);
-        ray.direction[i] = flushed(ray.direction[i]);
-    }
-    return ray;
+Ray flushedRay(const Ray& ray) {
+    return {flushed(ray.origin), flushed(ray.direction), ray.skip};
 }
 
 } // namespace dirt

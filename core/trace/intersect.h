@@ -75,6 +75,6 @@ bool sameVertices(const Triangle& a, const Triangle& b);
 bool isTraceable(const Ray& ray);
 
 /// The ray without denormals, which backends may or may not flush.
-Ray flushedRay(Ray ray);
+Ray flushedRay(const Ray& ray);
 
 } // namespace dirt

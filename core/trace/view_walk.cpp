@@ -1,14 +1,6 @@
 #include "core/trace/view_walk.h"
 
-#include <limits>
-
 namespace dirt {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-} // namespace
-
 ViewWalk::ViewWalk(const ViewRay& ray, const ViewSpan& span, const DepthPyramid& pyramid,
                    int topLevel)
     : ray_(ray), pyramid_(pyramid), view_(span.view),
@@ -17,7 +9,7 @@ ViewWalk::ViewWalk(const ViewRay& ray, const ViewSpan& span, const DepthPyramid&
       begin_(span.begin), end_(span.end), depth_(std::max(span.depth, 0.0)) {}
 
 int ViewWalk::startCell(int axis, const std::vector<float>& borders, double t) const {
-    const int step = axis == 0 ? ray_.stepX : ray_.stepY;
+    const int step = ray_.step[axis];
     const int last = (int) borders.size() - 2;
     if (step != 0)
         return step > 0 ? firstNotLeft(axis, 0, last, t) : firstNotLeft(axis, last, 0, t);
@@ -34,15 +26,13 @@ int ViewWalk::startCell(int axis, const std::vector<float>& borders, double t) c
 }
 
 int ViewWalk::firstNotLeft(int axis, int from, int to, double t) const {
-    const int step = axis == 0 ? ray_.stepX : ray_.stepY;
+    const int step = ray_.step[axis];
     const double earliest = t * (1.0 - kCrossingSlack);
     int low = 0, high = std::abs(to - from); // the answer is in [low, high]
     while (low < high) {
         const int middle = (low + high) / 2;
         const int border = from + middle * step + (step > 0 ? 1 : 0);
-        const ViewRay::Crossing crossing =
-            axis == 0 ? ray_.column(ray_.view.s[border]) : ray_.row(ray_.view.t[border]);
-        if (crossing.t < earliest)
+        if (crossingOf(ray_, axis, (axis == 0 ? ray_.view.s : ray_.view.t)[border]).t < earliest)
             low = middle + 1;
         else
             high = middle;
@@ -54,13 +44,13 @@ ViewWalk::Exit ViewWalk::exitOf(int level) const {
     const DepthPyramid::Level& tiles = pyramid_.levels[0];
     Exit exit{};
     const int column = column_ >> level << level, row = row_ >> level << level;
-    exit.columnBorder = ray_.stepX > 0 ? std::min(column + (1 << level), tiles.columns) : column;
-    exit.rowBorder = ray_.stepY > 0 ? std::min(row + (1 << level), tiles.rows) : row;
+    exit.columnBorder = ray_.step.x > 0 ? std::min(column + (1 << level), tiles.columns) : column;
+    exit.rowBorder = ray_.step.y > 0 ? std::min(row + (1 << level), tiles.rows) : row;
     const float s = ray_.view.s[exit.columnBorder], t = ray_.view.t[exit.rowBorder];
 
-    const ViewRay::Crossing x = ray_.stepX != 0 ? ray_.column(s) : ViewRay::Crossing{};
-    const ViewRay::Crossing y = ray_.stepY != 0 ? ray_.row(t) : ViewRay::Crossing{};
-    exit.order = x.valid && y.valid ? ray_.order(s, t) : x.valid ? 1 : y.valid ? -1 : 2;
+    const Crossing x = ray_.step.x != 0 ? crossingOf(ray_, 0, s) : Crossing{};
+    const Crossing y = ray_.step.y != 0 ? crossingOf(ray_, 1, t) : Crossing{};
+    exit.order = x.valid && y.valid ? orderOf(ray_, s, t) : x.valid ? 1 : y.valid ? -1 : 2;
     if (exit.order == 0) { // along the rim, if only one border is one
         const bool columnRim = exit.columnBorder == 0 || exit.columnBorder == tiles.columns;
         const bool rowRim = exit.rowBorder == 0 || exit.rowBorder == tiles.rows;
@@ -79,7 +69,7 @@ ViewWalk::Exit ViewWalk::exitOf(int level) const {
         break;
     default: // The ray stays in this cell: for ever, or until it reaches the eye.
         exit.begin = exit.end = end_;
-        exit.near = exit.far = ray_.direction.z > 0.0   ? kInfinity
+        exit.near = exit.far = ray_.direction.z > 0.0   ? infinity()
                                : ray_.direction.z < 0.0 ? 0.0
                                                         : ray_.origin.z;
     }
@@ -91,17 +81,17 @@ bool ViewWalk::advance(const Exit& exit, int level) {
     const DepthPyramid::Level& tiles = pyramid_.levels[0];
     const int column = column_ >> level << level, row = row_ >> level << level;
     if (exit.order >= 0)
-        column_ = ray_.stepX > 0 ? exit.columnBorder : exit.columnBorder - 1;
-    else if (level > 0 && ray_.stepX != 0)
+        column_ = ray_.step.x > 0 ? exit.columnBorder : exit.columnBorder - 1;
+    else if (level > 0 && ray_.step.x != 0)
         column_ = firstNotLeft(0, column_,
-                               ray_.stepX > 0 ? std::min(column + (1 << level), tiles.columns) - 1
-                                              : column,
+                               ray_.step.x > 0 ? std::min(column + (1 << level), tiles.columns) - 1
+                                               : column,
                                exit.begin);
     if (exit.order <= 0)
-        row_ = ray_.stepY > 0 ? exit.rowBorder : exit.rowBorder - 1;
-    else if (level > 0 && ray_.stepY != 0)
+        row_ = ray_.step.y > 0 ? exit.rowBorder : exit.rowBorder - 1;
+    else if (level > 0 && ray_.step.y != 0)
         row_ = firstNotLeft(1, row_,
-                            ray_.stepY > 0 ? std::min(row + (1 << level), tiles.rows) - 1 : row,
+                            ray_.step.y > 0 ? std::min(row + (1 << level), tiles.rows) - 1 : row,
                             exit.begin);
     begin_ = std::max(begin_, exit.begin * (1.0 - kCrossingSlack));
     // At a corner the earlier depth is the one farther back along the ray.

@@ -10,5 +10,5 @@ vec3 scaledToUnit(dvec3 v) {
     uint exponent = (unpackDouble2x32(largest).y >> 20) & 0x7ffu; // 2^(exponent - 1022) > largest
     double scale = packDouble2x32(uvec2(0u, (2045u - exponent) << 20));
     precise vec3 unit = vec3(v * scale);
-    return vec3(flushed(unit.x), flushed(unit.y), flushed(unit.z));
+    return flushed(unit);
 }

@@ -5,6 +5,7 @@
 #include "include/exact_sum.glsl"
 #include "include/views.glsl"
 #include "shared/margins.h"
+#include "shared/tile_coverage.h"
 
 /// A triangle made ready for one view.
 struct ViewTriangle {
@@ -83,10 +84,7 @@ bool setUpTriangle(vec3 vertices[3], out ViewTriangle triangle, out Directions d
 bool allBeyond(Directions directions, int axis, float slope, float side) {
     bool all = true;
     for (int i = 0; i < 6; ++i) {
-        vec3 d = directions.at[i];
-        precise float border = slope * d.z;
-        precise float distance = d[axis] - flushed(border);
-        all = all && side * flushed(distance) > 0.0;
+        all = all && side * borderDistance(directions.at[i], axis, slope) > 0.0;
     }
     return all;
 }
@@ -114,17 +112,9 @@ ivec2 cellRange(Directions directions, int axis, int offset, int cells) {
     return range;
 }
 
-/// Whether an edge plane of the triangle separates it from the guard-banded tile. (A denormal
-/// decides nothing here: the largest component of a normal is at least 1/2.)
+/// Whether an edge plane of the triangle separates it from the guard-banded tile.
 bool edgesSeparate(vec3 edges[3], bool edgeOn, vec2 s, vec2 t) {
-    for (int i = 0; i < 3; ++i) {
-        vec3 n = edges[i];
-        bool right = n.x > 0.0, below = n.y > 0.0;
-        // The tile's corner farthest inside.
-        precise float inside = (n.x * (right ? s.y : s.x) + n.y * (below ? t.y : t.x)) + n.z;
-        if (inside < 0.0) return true;
-        precise float outside = (n.x * (right ? s.x : s.y) + n.y * (below ? t.x : t.y)) + n.z;
-        if (edgeOn && outside > 0.0) return true;
-    }
+    for (int i = 0; i < 3; ++i)
+        if (edgeSeparates(edges[i], edgeOn, s, t)) return true;
     return false;
 }

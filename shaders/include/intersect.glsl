@@ -35,10 +35,6 @@ double oneNorm(dvec3 v) {
     return sum;
 }
 
-int signOf(double x) {
-    return int(x > 0.0LF) - int(x < 0.0LF);
-}
-
 // ------------------------------------------------------------------- RayFilter, in float
 
 struct RayFilter {

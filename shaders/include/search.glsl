@@ -87,22 +87,10 @@ bool test(inout Search search, Candidate candidate) {
     return true;
 }
 
-/// Finite, and with a direction. Tests bits, as a compiler may reason that there is no NaN.
-bool isTraceable(Ray ray) {
-    uvec3 o = floatBitsToUint(ray.origin) & 0x7f800000u;
-    uvec3 d = floatBitsToUint(ray.direction) & 0x7f800000u;
-    return all(notEqual(o, uvec3(0x7f800000u))) && all(notEqual(d, uvec3(0x7f800000u))) &&
-           ray.direction != vec3(0.0);
-}
-
 Search makeSearch(RayRecord given) {
     Search search;
     search.best = Hit(kNoPrimitive, 0.0, 0.0, 0.0, 0u, 0u, 0u);
-    for (int i = 0; i < 3; ++i) {
-        search.ray.origin[i] = flushed(given.origin[i]);
-        search.ray.direction[i] = flushed(given.direction[i]);
-    }
-    search.ray.skip = given.skip;
+    search.ray = Ray(flushed(given.origin), flushed(given.direction), given.skip);
     search.maxT = given.maxT;
     search.sieve = makeFilter(search.ray);
     search.located = false;

@@ -14,7 +14,7 @@ struct TileVisit {
 };
 
 struct ViewWalk {
-    ViewRay ray;
+    SeenRay ray;
     int view, top;
     ivec2 tile;
     double begin, end, depth; // of the current tile; of the view; w at begin
@@ -32,14 +32,14 @@ ivec2 gridSize() {
 }
 
 /// First cell in [from, to], in the order of the ray, that is not left before t.
-int firstNotLeft(ViewRay ray, int axis, int from, int to, double t) {
+int firstNotLeft(SeenRay ray, int axis, int from, int to, double t) {
     int step = ray.step[axis];
     precise double earliest = t * (1.0LF - kCrossingSlack);
     int low = 0, high = abs(to - from);
     while (low < high) {
         int middle = (low + high) / 2;
         int border = from + middle * step + (step > 0 ? 1 : 0);
-        if (crossingOf(ray, axis, border).t < earliest)
+        if (crossingOf(ray, axis, slopeOf(axis, border)).t < earliest)
             low = middle + 1;
         else
             high = middle;
@@ -47,7 +47,7 @@ int firstNotLeft(ViewRay ray, int axis, int from, int to, double t) {
     return from + low * step;
 }
 
-int startCell(ViewRay ray, int axis, double t) {
+int startCell(SeenRay ray, int axis, double t) {
     int cells = gridSize()[axis], step = ray.step[axis];
     if (step != 0)
         return step > 0 ? firstNotLeft(ray, axis, 0, cells - 1, t)
@@ -69,7 +69,7 @@ int startCell(ViewRay ray, int axis, double t) {
 }
 
 /// Not valid (a negative tile) if the ray touches the cone in the eye alone.
-ViewWalk startWalk(int view, ViewRay ray, ViewSpan span, int top) {
+ViewWalk startWalk(int view, SeenRay ray, SeenSpan span, int top) {
     ViewWalk walk;
     walk.ray = ray;
     walk.view = view;
@@ -87,9 +87,10 @@ Exit exitOf(ViewWalk walk, int level) {
     ivec2 next = min(cell + (1 << level), gridSize());
     exit.border = ivec2(walk.ray.step.x > 0 ? next.x : cell.x, walk.ray.step.y > 0 ? next.y : cell.y);
     Crossing x = Crossing(0.0LF, 0.0LF, false), y = x;
-    if (walk.ray.step.x != 0) x = crossingOf(walk.ray, 0, exit.border.x);
-    if (walk.ray.step.y != 0) y = crossingOf(walk.ray, 1, exit.border.y);
-    exit.order = x.valid && y.valid ? orderOf(walk.ray, exit.border.x, exit.border.y)
+    double s = slopeOf(0, exit.border.x), t = slopeOf(1, exit.border.y);
+    if (walk.ray.step.x != 0) x = crossingOf(walk.ray, 0, s);
+    if (walk.ray.step.y != 0) y = crossingOf(walk.ray, 1, t);
+    exit.order = x.valid && y.valid ? orderOf(walk.ray, s, t)
                  : x.valid          ? 1
                  : y.valid          ? -1
                                     : 2;

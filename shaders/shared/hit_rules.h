@@ -1,4 +1,5 @@
-// Which hit a ray keeps, how far its search goes on, and under which tile the hit is filed (T3).
+// Which rays are traced, which hit one keeps, how far its search goes on, and under which tile the
+// hit is filed (T3).
 #ifndef DIRT_SHARED_HIT_RULES_H
 #define DIRT_SHARED_HIT_RULES_H
 
@@ -7,6 +8,19 @@
 #include "shaders/shared/rounding.h"
 
 DIRT_SHARED_BEGIN
+
+/// Neither infinite nor NaN. By the bits, as a compiler may reason that there is no NaN.
+DIRT_FUNCTION bool hasFiniteBits(float x) {
+    return (floatBitsToUint(x) & 0x7f800000u) != 0x7f800000u;
+}
+
+/// Whether a ray meets anything at all: it is finite, and has a direction.
+DIRT_FUNCTION bool isTraceable(vec3 origin, vec3 direction) {
+    bool finite = true;
+    for (int i = 0; i < 3; ++i)
+        finite = finite && hasFiniteBits(origin[i]) && hasFiniteBits(direction[i]);
+    return finite && direction != vec3(0.0f);
+}
 
 /// What is beyond t when all that lies before it has been seen: no candidate whose computed t is
 /// at most \p t has an exact t above this, nor one that flushing to zero may hide.

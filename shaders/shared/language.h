@@ -18,6 +18,7 @@
 #define DIRT_SHARED_END }
 #define DIRT_FUNCTION inline
 #define DIRT_OUT(type) type&
+#define DIRT_INOUT(type) type&
 #define DIRT_PRECISE // -ffp-contract=off does it
 #define DIRT_DEFAULT(value)                                                                        \
     { value }
@@ -25,6 +26,7 @@
 namespace dirt {
 using uint = uint32_t;
 using glm::dvec3;
+using glm::ivec2;
 using glm::ivec4;
 using glm::uvec4;
 using glm::vec2;
@@ -39,6 +41,9 @@ inline uint floatBitsToUint(float x) {
 inline float uintBitsToFloat(uint x) {
     return std::bit_cast<float>(x);
 }
+inline double infinity() {
+    return HUGE_VAL;
+}
 } // namespace dirt
 
 #else
@@ -47,9 +52,22 @@ inline float uintBitsToFloat(uint x) {
 #define DIRT_SHARED_END
 #define DIRT_FUNCTION
 #define DIRT_OUT(type) out type
+#define DIRT_INOUT(type) inout type
 #define DIRT_PRECISE precise
 #define DIRT_DEFAULT(value)
 
+double infinity() {
+    return packDouble2x32(uvec2(0u, 0x7ff00000u));
+}
+
 #endif
+
+DIRT_SHARED_BEGIN
+
+DIRT_FUNCTION int signOf(double x) {
+    return int(x > 0.0) - int(x < 0.0);
+}
+
+DIRT_SHARED_END
 
 #endif

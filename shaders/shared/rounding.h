@@ -13,6 +13,9 @@ const float kLargest = 3.40282347e38f;
 DIRT_FUNCTION float flushed(float x) {
     return abs(x) < kSmallestNormal ? 0.0f : x;
 }
+DIRT_FUNCTION vec3 flushed(vec3 v) {
+    return vec3(flushed(v.x), flushed(v.y), flushed(v.z));
+}
 
 /// The largest float that is not above \p x >= 0; zero in place of a denormal.
 DIRT_FUNCTION float roundDown(double x) {

@@ -80,7 +80,7 @@ double crossingScore(const Crossing& in, bool depth) {
     const Ray ray = crossingRay(in);
     if (!isSmall(ray)) return -HUGE_VAL;
     const float slope = borderOf(in[6]);
-    const ViewRay::Crossing crossing = ViewRay(face(), ray).column(slope);
+    const dirt::Crossing crossing = crossingOf(ViewRay(face(), ray), 0, slope);
     const ExactCrossing exact(ray, slope);
     if (!crossing.valid || exact.n == 0 || exact.m == 0) return -HUGE_VAL;
     return (depth ? relativeError(crossing.depth, exact.depth())
@@ -130,7 +130,7 @@ TEST(Bounds, OrderOfBorders) {
             if (!isSmall(ray)) return -HUGE_VAL;
             const float s = borderOf(in[6]), t = borderOf(in[7]);
             const ViewRay seen(face(), ray);
-            if (seen.stepX == 0 || seen.stepY == 0) return -HUGE_VAL;
+            if (seen.step.x == 0 || seen.step.y == 0) return -HUGE_VAL;
             const ExactRay exact(ray);
             const int unit = std::min({lowestExponent(s), lowestExponent(t), 0});
             const IntegerVector m = cross(exact.origin, exact.direction);
@@ -140,7 +140,7 @@ TEST(Bounds, OrderOfBorders) {
                                 toDouble(abs(m.z * corner.z));
             if (size == 0.0) return -HUGE_VAL;
             const double part = std::abs(side) / size - kCornerDoubt; // > 0: told
-            const bool told = seen.order(s, t) != 0;
+            const bool told = orderOf(seen, s, t) != 0;
             return (told == (part > 0.0) ? -std::abs(part) : std::abs(part)) / (2 * v);
         }});
 }

@@ -207,12 +207,12 @@ TEST(Check, CountsWhatIsTrulyWrong) {
 
 /// Of the parts that FillDepth and FillPrimitives share.
 TEST(Check, CatchesFaultsOfTheDecision) {
-    EXPECT_EQ(caughtFault("include/coverage.glsl", "if (inside < 0.0)", "if (inside < 1.0e-4)"),
+    EXPECT_EQ(caughtFault("shared/tile_coverage.h", "inside < 0.0f", "inside < 1.0e-4f"),
               kDecision);
     EXPECT_EQ(caughtFault("include/coverage.glsl", "a.z >= 0.0", "a.z > 0.0"), kDecision);
     EXPECT_EQ(caughtFault("include/coverage.glsl", "(a.z > 0.0 && b.z < 0.0)", "false"), kDecision);
-    EXPECT_EQ(caughtFault("include/clip.glsl", "1.0LF + kDepthMargin", "1.0LF"), kDecision);
-    EXPECT_EQ(caughtFault("include/clip.glsl", "signOf(p) * signOf(q) > 0", "false"), kDecision);
+    EXPECT_EQ(caughtFault("shared/tile_clip.h", "1.0 + kDepthMargin", "1.0"), kDecision);
+    EXPECT_EQ(caughtFault("shared/tile_clip.h", "signOf(p) * signOf(q) > 0", "false"), kDecision);
     EXPECT_EQ(caughtFault("include/views.glsl", "axes.w < 0", "axes.w < -1"), kDecision);
 }
 

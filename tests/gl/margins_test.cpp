@@ -80,13 +80,13 @@ void main() {
     Question q = questions[gl_GlobalInvocationID.x];
     Ray ray = Ray(q.origin, q.direction, 0u);
     Answer r;
-    ViewSpan span;
-    ViewRay seen = makeViewRay(q.view, ray);
+    SeenSpan span;
+    SeenRay seen = seenRay(q.view, ray);
     r.clipped = int(clipToView(seen, span));
     r.begin = span.begin;
     r.end = span.end;
     r.depth = span.depth;
-    r.order = orderOf(seen, q.columnBorder, q.rowBorder);
+    r.order = orderOf(seen, slopeOf(0, q.columnBorder), slopeOf(1, q.rowBorder));
     ViewWalk walk = startWalk(q.view, seen, span, 0);
     TileVisit visit;
     r.tile = -1;
@@ -168,7 +168,7 @@ void expectSameView(const Grid& grid, const Question& q, const Answer& answer) {
     }
     EXPECT_EQ(answer.tile, tile) << hex(rayOf(q));
     EXPECT_EQ(answer.order,
-              ray.order(view.s[(size_t) q.columnBorder], view.t[(size_t) q.rowBorder]))
+              orderOf(ray, view.s[(size_t) q.columnBorder], view.t[(size_t) q.rowBorder]))
         << hex(rayOf(q));
     const ViewCone::Part part = ViewCone(grid.views[0]).part(rayOf(q));
     EXPECT_EQ(answer.partBegin, part.begin) << hex(rayOf(q));

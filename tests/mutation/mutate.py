@@ -30,7 +30,8 @@ DECLARATION = re.compile(r"const (float|double) (k\w+) = ([^;]+);")
 SOURCES = {
     "core": ["core/**/*.cpp", "core/**/*.h", "shaders/shared/*.h"],
     "cpu": ["backend_cpu/**/*.cpp", "backend_cpu/**/*.h", "shaders/shared/hit_rules.h"],
-    "gl": ["shaders/*.*", "shaders/include/*", "shaders/shared/hit_rules.h"],
+    "gl": ["shaders/*.*", "shaders/include/*", "shaders/shared/hit_rules.h",
+           "shaders/shared/border_crossing.h", "shaders/shared/tile_clip.h"],
 }
 
 # Test programs that concern a margin, those that end soonest first.

@@ -170,8 +170,7 @@ TEST(GridProbe, SaysWhatThereIsInsteadOfWhatThereIsNot) {
     EXPECT_EQ(textOf([&] { probe.depths(Tile{0, 0, -1}); }), "there is no tile (0, -1) among 4x4");
     EXPECT_EQ(textOf([&] { probe.ids(Cell{0, 0, 0, 2}); }), "there is no bin 2 of 2");
     EXPECT_EQ(textOf([&] { probe.cellsOf(1); }), "there is no triangle 1 of 1");
-    EXPECT_EQ(textOf([&] { probe.hit({0, 0, 0}, {0, 0, -1}, 1); }),
-              "there is no triangle 1 of 1");
+    EXPECT_EQ(textOf([&] { probe.hit({0, 0, 0}, {0, 0, -1}, 1); }), "there is no triangle 1 of 1");
 }
 
 /// What a program asks for by mistake ends in a line that says so.

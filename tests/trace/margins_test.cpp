@@ -112,14 +112,14 @@ TEST(ViewRay, TellsTheOrderOfBordersOnlyWhereItIsCertain) {
         }
         const Ray ray{fromView(view, origin), fromView(view, -off), kNoPrimitive};
         const ViewRay seen(view, ray);
-        const int order = seen.order(s, t);
+        const int order = orderOf(seen, s, t);
         const ExactRay exact(ray);
         const int unit = std::min({lowestExponent(s), lowestExponent(t), 0});
         const IntegerVector o = ExactRay::toView(view, exact.origin);
         const IntegerVector d = ExactRay::toView(view, exact.direction);
         const int side = sign(dot(cross(o, d), toIntegers(corner, unit)));
         if (order == 0) continue;
-        ASSERT_EQ(order, side * seen.stepX * seen.stepY) << hex(ray);
+        ASSERT_EQ(order, side * seen.step.x * seen.step.y) << hex(ray);
         ++told;
     }
     EXPECT_GT(told, 10'000);
