@@ -71,6 +71,8 @@ void noteIdleOptions(const CommonOptions& options, const Scene& scene) {
         std::fprintf(stderr, "dirt: warning: --frame: the scene does not move\n");
     if (options.visibility && scene.lights.empty() && !isModel(options.scene))
         std::fprintf(stderr, "dirt: warning: --visibility: the scene has no light\n");
+    else if (options.visibility && !scene.lights.empty() && !scene.lights.front().shadows)
+        std::fprintf(stderr, "dirt: warning: --visibility: the light casts no shadows\n");
 }
 
 LoadedScene load(const CommonOptions& options, const MemoryBudget& memory, Executor& executor) {

@@ -139,6 +139,8 @@ void refuseIdleOptions(const CommonOptions& o, const RenderSettings& settings) {
         refuse("--max-mip", "with --traversal linear, which uses no level but the lowest");
     if (settings.rayType == RayType::visibility && o.bounces)
         refuse("--bounces", "with --ray-type visibility, which has two");
+    if (settings.bounces == 1 && o.rayType && o.bounces)
+        refuse("--ray-type", "with --bounces 1, which has no indirect rays");
 }
 
 } // namespace dirt

@@ -49,6 +49,11 @@ struct GltfFile {
         GltfTextureUse normal;
         GltfTextureUse emission; ///< times the material's
         uint64_t texcoordSet = 0;
+
+        bool hasTexture() const {
+            return (colour.image & metallicRoughness.image & reflectance.image & normal.image &
+                    emission.image) != kNone;
+        }
     };
     /// Triangles of one material.
     struct Primitive {

@@ -38,6 +38,10 @@ public:
             primitive.surface = (uint32_t) *material;
             set = surfaces_[*material].texcoordSet;
         }
+        const std::string texcoords = "TEXCOORD_" + std::to_string(set);
+        if (primitive.surface != GltfFile::kNone && surfaces_[primitive.surface].hasTexture() &&
+            !attributes_.has(texcoords.c_str()))
+            ignored_.add("textures where the mesh has no " + texcoords);
         draco_ = readDraco(data_, source_);
         readAttributes(set, primitive);
         if (draco_) mode = kTriangles;

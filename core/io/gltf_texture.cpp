@@ -53,7 +53,10 @@ GltfTextureUse GltfTextures::use(const JsonValue& owner, const char* name,
     const uint64_t index = reference->requiredInteger("index", kHighest);
     const JsonValue& texture = JsonValue::at(textures_, index, *reference, "textures");
     const auto source = texture.integer("source", kHighest);
-    if (!source) return result;
+    if (!source) { // an image of an extension, or none
+        ignored_.add("texture without source");
+        return result;
+    }
     if (*source >= images_) texture.fail("refers to an image that is not there");
     uint64_t wanted = reference->integer("texCoord", kHighest).value_or(0);
     if (const auto transform = transformOf(*reference))

@@ -87,6 +87,11 @@ private:
             MtlMaterial& material = result_.materials.emplace_back();
             material.name = arguments;
             material.line = line_;
+            if (!names_.insert(material.name).second)
+                faults_.add(WarningKind::unusableValue, "newmtl", line_, [&] {
+                    return "material " + inQuotes(arguments) +
+                           " is defined again; the first definition counts";
+                });
             for (std::string& key : std::exchange(before_, {})) ignore(std::move(key));
         } else if (result_.materials.empty()) {
             before(key);
@@ -213,6 +218,11 @@ private:
             faults_.add(WarningKind::unusableValue, std::string(key.name) + what, line_, [&] {
                 return "malformed " + what + " in " + std::string(key.name) + ", which is left out";
             });
+        if (map.file.empty()) {
+            faults_.add(WarningKind::unusableTexture, key.name, line_,
+                        [&] { return std::string(key.name) + " names no file"; });
+            return;
+        }
         MtlMaterial& material = result_.materials.back();
         if (key.use == MtlUse::bump && map.strength) material.bumpScale = map.strength;
         material.maps[(size_t) key.use] = std::move(map);
@@ -224,6 +234,7 @@ private:
     MtlFile result_;
     FaultCounter faults_;
     std::set<std::string> others_; ///< those of result_
+    std::set<std::string> names_;  ///< of materials
     size_t line_ = 0;
 };
 

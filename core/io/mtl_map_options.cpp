@@ -28,7 +28,7 @@ const MapOptionReader::Option MapOptionReader::kOptions[] = {
     {"-blendv", 1, 1, &MapOptionReader::ignore},
     {"-boost", 1, 1, &MapOptionReader::ignore},
     {"-cc", 1, 1, &MapOptionReader::ignore},
-    {"-mm", 2, 2, &MapOptionReader::ignore},
+    {"-mm", 1, 2, &MapOptionReader::ignore},
     {"-t", 1, 3, &MapOptionReader::ignore},
     {"-texres", 1, 1, &MapOptionReader::ignore},
     {"-type", 1, 1, &MapOptionReader::ignore},

@@ -44,7 +44,10 @@ public:
             line_ = lines.number();
             std::string_view arguments = lines.line();
             const std::string_view keyword = takeWord(arguments);
-            if (!keyword.empty() && keyword[0] != '#') statement(keyword, arguments);
+            if (keyword == "#MRGB")
+                ignore(keyword); // ZBrush's colours of vertices
+            else if (!keyword.empty() && keyword[0] != '#')
+                statement(keyword, arguments);
             if (++sinceCharged_ == kLinesPerCharge) charge();
         }
         if (unknownLine_ > 0 && !isObj_) {

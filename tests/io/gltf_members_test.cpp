@@ -63,8 +63,21 @@ TEST_F(Gltf, NamesWhatItDoesNotKnowAtEveryLevel) {
                                             "glTF strange (1)",
                                             "glTF texture extension X_y (1)",
                                             "glTF texture strange (1)",
-                                            "glTF texture transform shear (1)"};
+                                            "glTF texture transform shear (1)",
+                                            "glTF textures where the mesh has no TEXCOORD_0 (1)"};
     EXPECT_EQ(loaded.ignored, expected);
+}
+
+TEST_F(Gltf, NamesTexturesThatCannotShow) {
+    GltfWriter writer = textured({{"uri", "data:image/png;base64,AAAA"}});
+    writer.node({{"mesh", 0}});
+    writer.json["textures"].push_back(Json::object());
+    writer.json["materials"][0]["emissiveTexture"] = {{"index", 1}};
+    const std::vector<std::string> ignored = load(writer).ignored;
+    EXPECT_EQ(std::count(ignored.begin(), ignored.end(), "glTF texture without source (1)"), 1);
+    EXPECT_EQ(std::count(ignored.begin(), ignored.end(),
+                         "glTF textures where the mesh has no TEXCOORD_0 (1)"),
+              1);
 }
 
 TEST_F(Gltf, NamesPointsAndLinesAndOtherScenes) {

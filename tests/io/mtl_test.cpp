@@ -203,6 +203,16 @@ TEST_F(Mtl, TakesMoreThanAWholeForOne) {
     EXPECT_EQ(read("newmtl a\nNs 2000\n").at(0).exponent, 2000.0f);
 }
 
+TEST_F(Mtl, TellsWhereAMaterialOrAFileNameIsMissing) {
+    EXPECT_EQ(faults("newmtl a\nmap_Kd\n"), Strings{"2: map_Kd names no file"});
+    EXPECT_EQ(faults("newmtl a\nmap_Kd -s 1 1\n"), Strings{"2: map_Kd names no file"});
+    EXPECT_EQ(faults("newmtl a\nKd 1 0 0\nnewmtl b\nnewmtl a\nKd 0 0 1\n"),
+              Strings{"4: material 'a' is defined again; the first definition counts"});
+    // One argument where the format has two.
+    EXPECT_EQ(readFile("newmtl a\nmap_Kd -mm 0.2 a.png\n").materials[0].map(MtlUse::diffuse).file,
+              "a.png");
+}
+
 TEST_F(Mtl, LeavesOutOptionsThatCannotBeRead) {
     EXPECT_EQ(faults("newmtl a\nbump -bm x a.png\n"),
               Strings{"2: malformed number 'x' of -bm in bump, which is left out"});

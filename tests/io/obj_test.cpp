@@ -130,9 +130,9 @@ TEST_F(Obj, TakesLinesOfAnyKind) {
 
 TEST_F(Obj, IgnoresPointsAndLinesAndNamesTheUnknown) {
     const ObjFile obj = read(kThreeVertices + "p 1 2 3\nl 1 2\ng a\no b\ns off\n"
-                                              "curv 1\ncurv 2\nf 1 2 3\n");
+                                              "curv 1\ncurv 2\n#MRGB ffff0000\nf 1 2 3\n");
     EXPECT_EQ(obj.faces.size(), 1u);
-    EXPECT_EQ(report_.ignored(), std::vector<std::string>{"OBJ curv"});
+    EXPECT_EQ(report_.ignored(), (std::vector<std::string>{"OBJ curv", "OBJ #MRGB"}));
 }
 
 TEST_F(Obj, KeepsMaterialNamesWithBlanks) {
