@@ -2,6 +2,8 @@
 
 #include "shaders/shared/random.h"
 
+#include <cmath>
+
 namespace dirt {
 
 namespace {
@@ -48,7 +50,7 @@ float scrambled(uint32_t digits, uint32_t axis, uint32_t seed) {
         if (digit == 1) stratum = (depth + 2) & ~1u;
         path = path << 1 | (exchanged ^ digit);
     }
-    return (float) path * 0x1p-24f;
+    return std::ldexp((float) path, -kBits);
 }
 
 } // namespace
