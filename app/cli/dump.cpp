@@ -7,11 +7,11 @@
 #include "app/cli/memory_limit.h"
 #include "app/cli/option_values.h"
 #include "core/base/error.h"
+#include "core/dump/manifest.h"
 #include "core/frame/memory_plan.h"
 #include "core/frame/renderer.h"
 #include "core/io/input_files.h"
 #include "core/io/output_file.h"
-#include "core/io/text_file.h"
 #include "core/path/grid_spotlight.h"
 #include "core/path/shadow_frustum.h"
 
@@ -27,10 +27,6 @@ namespace dirt {
 
 namespace {
 
-const std::vector<std::string> kBuffers = {"triangles",  "depth",   "ids",  "shadowmap",
-                                           "direct",     "rays",    "hits", "mask",
-                                           "visibility", "shading", "image"};
-
 struct DumpOptions {
     CommonOptions common;
     std::vector<std::string> buffers; ///< empty: all
@@ -44,16 +40,16 @@ class Selection {
 public:
     explicit Selection(const std::vector<std::string>& names) {
         for (const std::string& name : names)
-            if (std::find(kBuffers.begin(), kBuffers.end(), name) == kBuffers.end())
+            if (std::find(dumpBuffers().begin(), dumpBuffers().end(), name) == dumpBuffers().end())
                 throw InputError("--buffers " + printable(name) + ": there are " + list());
-        names_ = names.empty() ? kBuffers : names;
+        names_ = names.empty() ? dumpBuffers() : names;
     }
     bool has(const char* name) const {
         return std::find(names_.begin(), names_.end(), name) != names_.end();
     }
     static std::string list() {
         std::string text;
-        for (const std::string& name : kBuffers) text += (text.empty() ? "" : ",") + name;
+        for (const std::string& name : dumpBuffers()) text += (text.empty() ? "" : ",") + name;
         return text;
     }
 
@@ -73,20 +69,6 @@ std::string manifestOf(const std::string& folder) {
     return (std::filesystem::path(folder) / "manifest.json").string();
 }
 
-/// Whether a manifest is a dump's: other programs' files have that name, too.
-bool isDump(const Json& manifest) {
-    const auto isText = [](const Json& json, const char* key) {
-        return json.is_object() && json.contains(key) && json[key].is_string();
-    };
-    if (!isText(manifest, "backend") || !manifest.contains("files") ||
-        !manifest["files"].is_array())
-        return false;
-    const Json& files = manifest["files"];
-    return std::all_of(files.begin(), files.end(), [&](const Json& file) {
-        return isText(file, "file") && isText(file, "buffer");
-    });
-}
-
 /// checkWritable for one of thousands of names in a folder that can be written to.
 void checkFile(const std::string& file) {
     std::error_code error;
@@ -96,20 +78,21 @@ void checkFile(const std::string& file) {
 }
 
 /// Throws InputError where one of the files of a dump to \p folder cannot be written, or would
-/// take the place of what is no dump's.
-void checkFolder(const std::string& folder, const Selection& wanted, int bounces) {
+/// take the place of what is no dump's. To look at one may take \p available bytes.
+void checkFolder(const std::string& folder, const Selection& wanted, int bounces,
+                 uint64_t available) {
     if (!std::filesystem::exists(folder)) return;
     const std::string manifest = manifestOf(folder);
     checkWritable(manifest);
-    if (std::filesystem::exists(manifest) &&
-        !isDump(Json::parse(readOwnBytes(manifest), nullptr, false)))
+    MemoryClaim memory{MemoryBudget(available)};
+    if (std::filesystem::exists(manifest) && !isDumpManifest(manifest, memory))
         throw InputError(manifest + ": cannot write: it is not of dirt dump, and would be lost");
-    for (const std::string& buffer : kBuffers) {
+    for (const std::string& buffer : dumpBuffers()) {
         if (!wanted.has(buffer.c_str())) continue;
-        checkFile(folder + "/" + buffer + ".exr");
-        if (buffer == "ids") checkFile(folder + "/ids.csv");
+        checkFile(folder + "/" + dumpFileName(buffer, {}));
+        if (buffer == "ids") checkFile(folder + "/" + kIdsAsText);
         for (int event = 0; event < bounces; ++event)
-            checkFile(folder + "/" + buffer + "." + std::to_string(event) + ".exr");
+            checkFile(folder + "/" + dumpFileName(buffer, event));
     }
 }
 
@@ -250,9 +233,10 @@ int runDump(const DumpOptions& options) {
         throw InputError("--event " + std::to_string(*options.event) + ": the path events of " +
                          std::to_string(input.settings.bounces) + " bounces are 0 to " +
                          std::to_string(input.settings.bounces - 1));
-    checkDumpMemory(input, sceneMemory(options.common));
+    const uint64_t memory = sceneMemory(options.common);
+    checkDumpMemory(input, memory);
     const auto backend = makeBackend(options.common, *executor);
-    checkFolder(options.folder, wanted, input.settings.bounces);
+    checkFolder(options.folder, wanted, input.settings.bounces, memory);
     makeFolder(options.folder);
     // So that none stands beside files that it does not know.
     std::error_code ignored;

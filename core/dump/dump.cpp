@@ -1,6 +1,7 @@
 #include "core/dump/dump.h"
 
 #include "core/dump/entries.h"
+#include "core/dump/manifest.h"
 #include "core/io/output_file.h"
 
 #include <cstring>
@@ -51,7 +52,7 @@ ExrPart Dump::gather(const std::string& name, int width, int height,
 
 void Dump::write(const std::string& buffer, std::optional<int> event,
                  const std::vector<ExrPart>& parts, std::vector<ChannelInfo> channels) {
-    const std::string file = buffer + (event ? "." + std::to_string(*event) : "") + ".exr";
+    const std::string file = dumpFileName(buffer, event);
     writeExr(folder_ + "/" + file, parts, metadata_);
     DumpedFile& dumped =
         files_.emplace_back(DumpedFile{file, buffer, event, {}, std::move(channels)});
@@ -89,7 +90,7 @@ void Dump::depth(const Grid& grid) {
 
 void Dump::ids(const Grid& grid, const FrameGeometry& geometry) {
     std::vector<DeepExrPart> parts;
-    DumpedFile dumped{"ids.exr", "ids", {}, {}, entryChannels()};
+    DumpedFile dumped{dumpFileName("ids", {}), "ids", {}, {}, entryChannels()};
     for (size_t view = 0; view < grid.views.size(); ++view) {
         const View& tiles = grid.views[view];
         DeepExrPart& part = parts.emplace_back(
@@ -104,7 +105,7 @@ void Dump::ids(const Grid& grid, const FrameGeometry& geometry) {
         }
         dumped.parts.push_back(part.name);
     }
-    writeExr(folder_ + "/ids.exr", parts, metadata_);
+    writeExr(folder_ + "/" + dumped.file, parts, metadata_);
     files_.push_back(std::move(dumped));
     idsAsText(grid);
 }
@@ -116,7 +117,7 @@ void Dump::idsAsText(const Grid& grid) {
         {"row", "of the tile"},
         {"bin", "depth bin that lists it"},
         {"id", "primitive id of the list entry"}};
-    DumpedFile& dumped = files_.emplace_back(DumpedFile{"ids.csv", "ids", {}, {}, {}});
+    DumpedFile& dumped = files_.emplace_back(DumpedFile{kIdsAsText, "ids", {}, {}, {}});
     std::string text;
     for (const auto& [name, meaning] : columns) {
         const auto column = flagChannels(name, meaning);
@@ -135,7 +136,7 @@ void Dump::idsAsText(const Grid& grid) {
                     text += place + std::to_string(bin) + "," + std::to_string(id) + "\n";
         }
     }
-    writeFile(folder_ + "/ids.csv", text);
+    writeFile(folder_ + "/" + kIdsAsText, text);
 }
 
 void Dump::shadowMap(const std::vector<float>& depths) {

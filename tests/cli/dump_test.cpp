@@ -125,10 +125,21 @@ TEST(DumpCommand, LeavesOthersFilesAlone) {
     for (const char* manifest :
          {"{\"files\": [{\"file\": \"mine.exr\"}]}", "{\"name\": \"an app\"}", "[]", "no JSON", "{",
           "{\"backend\": \"cpu\", \"files\": [{\"file\": \"mine.exr\"}]}",
-          "{\"backend\": 1, \"files\": []}", "{\"backend\": \"cpu\", \"files\": {}}"}) {
+          "{\"backend\": 1, \"files\": []}", "{\"backend\": \"cpu\", \"files\": {}}",
+          "{\"backend\": \"cpu\", \"files\": [{\"file\": \"mine.exr\", \"buffer\": \"ids\"}]}",
+          "{\"backend\": \"cpu\", \"files\": [{\"file\": \"ids.1.exr\", \"buffer\": \"ids\"}]}",
+          "{\"backend\": \"cpu\", \"files\": [{\"file\": \"../a.exr\", \"buffer\": \"../a\"}]}",
+          "{\"backend\": \"cpu\", \"files\": [{\"file\": \"ids.-1.exr\", \"buffer\": \"ids\", "
+          "\"event\": -1}]}"}) {
         folder.write("a/manifest.json", manifest);
         refused(manifest);
     }
+    const std::string large = std::string(8'000'000, '[');
+    folder.write("a/manifest.json", large);
+    const Outcome dear = dirt(dumpOf(folder, folder / "a", {"--memory", "100M"}));
+    EXPECT_EQ(dear.status, 2);
+    EXPECT_NE(dear.err.find("manifest.json: its JSON needs "), std::string::npos) << dear.err;
+    EXPECT_EQ(readFile(folder / "a/manifest.json"), large);
     std::filesystem::remove(folder / "a/manifest.json");
     mkfifo((folder / "a/manifest.json").c_str(), 0600); // which nobody writes to
     refused("");
