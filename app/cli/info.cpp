@@ -8,6 +8,7 @@
 #include "core/frame/memory_plan.h"
 #include "core/frame/precision.h"
 #include "core/frame/requirements.h"
+#include "core/io/memory_budget.h"
 
 #ifdef DIRT_HAVE_GL
 #include "backend_gl/gl_context.h"
@@ -183,6 +184,9 @@ Json describe(const Input& input, const Backend& backend, const Executor& execut
     json["requirements"] = requirementsJson(need, input, rasterizes);
     json["buffers"] = bufferJson(need, input, backend);
     json["precision"] = precisionJson(input.precision);
+    json["memory_budget"] = {{"limit", input.memory.limit},
+                             {"scene", input.memory.scene},
+                             {"frame", input.memory.frame}};
     json["warnings"] = Json::array();
     for (const Warning& warning : input.warnings) json["warnings"].push_back(warning.text);
     json["ignored"] = input.ignored;
@@ -313,6 +317,10 @@ void printRequirements(const Json& info) {
                  megabytes(row["bytes"].get<uint64_t>()) + "  " + row["reason"].get<std::string>());
     }
     printRow("total", megabytes(total));
+    const Json& budget = info["memory_budget"];
+    printRow("of a budget of", megabytes(budget["limit"]) + ", of which the scene takes " +
+                                   memoryText(budget["scene"]) + " and a frame about " +
+                                   memoryText(budget["frame"]));
 }
 
 void printPredicted(const Json& predicted) {

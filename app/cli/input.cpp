@@ -134,7 +134,9 @@ void planStructure(Input& input, const CommonOptions& options, const SceneSettin
         footprint.emplace(input.scene.mesh, input.scene.camera, input.settings.grid, executor);
         chooseStructure(input, options, file, *footprint);
     }
-    checkFrameMemory(input.scene, input.settings, footprint, options, memory);
+    const uint64_t frame =
+        checkFrameMemory(input.scene, input.settings, footprint, options, memory);
+    input.memory = {memory.limit(), memory.taken(), frame};
 }
 
 } // namespace

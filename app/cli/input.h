@@ -9,6 +9,7 @@
 #include "core/io/model_views.h"
 #include "core/scene/scene.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
@@ -16,6 +17,12 @@
 #include <vector>
 
 namespace dirt {
+
+/// Bytes: what a scene may take in all, what of that its textures and geometry take, and a frame,
+/// as far as is known before it is made.
+struct MemoryUse {
+    uint64_t limit = 0, scene = 0, frame = 0;
+};
 
 /// What a command with a scene works on.
 struct Input {
@@ -33,6 +40,7 @@ struct Input {
 
     /// How the MTL files were taken.
     std::vector<MaterialFile> materialFiles;
+    MemoryUse memory;
 };
 
 /// The threads of \p options.

@@ -83,12 +83,12 @@ uint64_t sceneMemory(const CommonOptions& options) {
     return options.memory.value_or(availableMemory() / 2);
 }
 
-void checkFrameMemory(const Scene& scene, const RenderSettings& settings,
-                      const std::optional<Footprint>& footprint, const CommonOptions& options,
-                      const MemoryBudget& budget) {
+uint64_t checkFrameMemory(const Scene& scene, const RenderSettings& settings,
+                          const std::optional<Footprint>& footprint, const CommonOptions& options,
+                          const MemoryBudget& budget) {
     const Need need = needOf(scene, settings, footprint, options);
     const uint64_t left = budget.left();
-    if (need.all <= left) return;
+    if (need.all <= left) return need.all;
     std::string text = "a frame needs about " + memoryText(need.all) + " of memory; " +
                        memoryText(left) + " of " + memoryText(budget.limit()) + " are left";
     if (need.structure > need.all / 2) {

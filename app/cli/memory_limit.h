@@ -17,12 +17,12 @@ uint64_t availableMemory();
 /// What a scene may take: --memory, or half of availableMemory.
 uint64_t sceneMemory(const CommonOptions& options);
 
-/// Throws InputError where a frame on each of the options' backends would need more memory than
-/// \p budget has left; the line then says what asks for most of it. \p footprint is there where one
-/// of them is the CPU: of the others it is known less.
-void checkFrameMemory(const Scene& scene, const RenderSettings& settings,
-                      const std::optional<Footprint>& footprint, const CommonOptions& options,
-                      const MemoryBudget& budget);
+/// Bytes that a frame on each of the options' backends needs, as far as is known beforehand. Throws
+/// InputError where that is more than \p budget has left; the line then says what asks for most of
+/// it. \p footprint is there where one of them is the CPU: of the others it is known less.
+uint64_t checkFrameMemory(const Scene& scene, const RenderSettings& settings,
+                          const std::optional<Footprint>& footprint, const CommonOptions& options,
+                          const MemoryBudget& budget);
 
 /// Throws InputError where the image, or the structure without its lists, would need more than
 /// \p available bytes; the line then names a size, or a tile size, that fits.

@@ -111,6 +111,26 @@ TEST(Info, MemoryIsTheSumOfItsBuffers) {
     EXPECT_EQ(memory["total"], sum);
 }
 
+/// What is shown is what decides.
+TEST(Info, ShowsTheBudgetThatAFrameHasToMeet) {
+    const TemporaryFolder folder;
+    const std::string scene = sceneWith(folder, "");
+    const json budget = info({scene, "--memory", "2G"})["memory_budget"];
+    EXPECT_EQ(budget["limit"], 2'000'000'000u);
+    const auto needed = budget["scene"].get<uint64_t>() + budget["frame"].get<uint64_t>();
+    EXPECT_GT(budget["scene"], 0u);
+    EXPECT_EQ(info({scene, "--memory", std::to_string(needed)})["memory_budget"]["limit"], needed);
+    const Outcome less = dirt({"info", scene, "--memory", std::to_string(needed - 1)});
+    EXPECT_EQ(less.status, 2);
+    EXPECT_NE(less.err.find("a frame needs about "), std::string::npos) << less.err;
+
+    const std::string text = dirt({"info", scene, "--memory", "2G"}).out;
+    const auto row = text.find("of a budget of");
+    ASSERT_NE(row, std::string::npos) << text;
+    EXPECT_NE(text.find("2000.00 MB, of which the scene takes ", row), std::string::npos) << text;
+    EXPECT_NE(text.find(" and a frame about ", row), std::string::npos) << text;
+}
+
 TEST(Info, BuffersAreThoseOfARender) {
     const TemporaryFolder folder;
     const std::string light =
