@@ -20,10 +20,14 @@ glm::dvec3 areaVector(const Triangle& t) {
     return 0.5 * glm::cross(glm::dvec3(t.b) - a, glm::dvec3(t.c) - a);
 }
 
+/// What is seen edge-on is not seen; along a surface of many triangles its ray would be dear.
+/// Rounded to float a direction may be off by 2^-24 of its length: what is less than twice that
+/// from the surface, as the cosine of a right angle in double is, cannot be told from it.
+constexpr double kEdgeOn = 0x1p-23;
+
 /// Looks back from the samples to each of \p ends, which are places or directions.
 std::vector<SurfaceView> look(std::span<const glm::dvec3> ends, bool isPlace,
                               std::span<const SurfaceSample> samples, Tracer& tracer) {
-    // What is seen edge-on is not seen; along a surface of many triangles its ray would be dear.
     const float reach = isPlace ? 1.0f : std::numeric_limits<float>::infinity();
     std::vector<Ray> rays;
     std::vector<double> cosines;
@@ -33,7 +37,9 @@ std::vector<SurfaceView> look(std::span<const glm::dvec3> ends, bool isPlace,
         for (const SurfaceSample& sample : samples) {
             Ray ray;
             ray.direction = glm::vec3(isPlace ? end - glm::dvec3(sample.point) : end);
-            cosines.push_back(glm::dot(sample.normal, glm::dvec3(ray.direction)));
+            const glm::dvec3 direction(ray.direction);
+            const double cosine = glm::dot(sample.normal, direction);
+            cosines.push_back(std::abs(cosine) <= kEdgeOn * glm::length(direction) ? 0.0 : cosine);
             // From within, what lies on a floor hides it; from outside both sheets of a wall that
             // has two in one plane are seen, one by its front and one by its back.
             ray.origin = isPlace ? sample.point : cosines.back() > 0.0 ? sample.front : sample.back;

@@ -30,6 +30,57 @@ bool showsSomething(const Mesh& mesh, const Camera& camera) {
     return closestHitBruteForce(geometry, ray).found();
 }
 
+/// Leaves every ray free, and keeps how near to its own triangle each one ran that was cast.
+class GrazeWatcher final : public Tracer {
+public:
+    std::string name() const override { return "graze watcher"; }
+    std::string device() const override { return ""; }
+    std::vector<PassTime> build(const FrameGeometry& geometry, const Camera&,
+                                const GridSettings&) override {
+        geometry_ = &geometry;
+        return {};
+    }
+    void intersect(std::span<const Ray>, std::span<Hit> hits) override {
+        std::fill(hits.begin(), hits.end(), Hit{});
+    }
+    void occluded(std::span<const Ray> rays, std::span<const float> maxT,
+                  std::span<uint8_t> result) override {
+        std::fill(result.begin(), result.end(), uint8_t(0));
+        for (size_t i = 0; i < rays.size(); ++i) {
+            if (maxT[i] == 0.0f || rays[i].skip == kNoPrimitive) continue;
+            const Triangle& t = geometry_->triangles[rays[i].skip];
+            const glm::dvec3 normal =
+                glm::cross(glm::dvec3(t.b) - glm::dvec3(t.a), glm::dvec3(t.c) - glm::dvec3(t.a));
+            const glm::dvec3 way(rays[i].direction);
+            least =
+                std::min(least, std::abs(glm::dot(glm::normalize(normal), way)) / glm::length(way));
+            ++rayCount;
+        }
+    }
+
+    double least = 1.0; ///< cosine with the normal
+    size_t rayCount = 0;
+
+private:
+    const FrameGeometry* geometry_ = nullptr;
+};
+
+/// Along a flat polygon of 100,000 corners a ray passes through all triangles. Turned by a right
+/// angle a direction misses the plane by a rounding.
+TEST(AutoCamera, CastsNoRayAlongTheSurface) {
+    for (int axis = 0; axis < 3; ++axis) {
+        Mesh mesh;
+        glm::vec3 along(0), across(0);
+        along[(axis + 1) % 3] = across[(axis + 2) % 3] = 2.0f;
+        const glm::vec3 corner(0.5f);
+        addQuad(mesh, corner, corner + along, corner + along + across, corner + across);
+        GrazeWatcher watcher;
+        chooseStandpoint(mesh, watcher, {});
+        EXPECT_GT(watcher.rayCount, 10'000u);
+        EXPECT_GT(watcher.least, 1e-3) << axis;
+    }
+}
+
 TEST(AutoCamera, StandsInARoom) {
     const Mesh mesh = hall();
     const Camera camera = choose(mesh).camera;
