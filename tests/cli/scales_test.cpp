@@ -1,9 +1,12 @@
 // The picture of a bare model does not depend on its unit of length: eye, light and all are found
-// alike at any scale, on every backend.
+// alike at any scale, on every backend. Scales in each other, and copies in one place, are answered
+// at once.
 
 #include "core/io/image.h"
 #include "tests/cli/program.h"
+#include "tests/support/processor_time.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -74,6 +77,54 @@ TEST_P(Scales, PowersOfTenAreClose) {
         EXPECT_LE(far, one.pixels.size() / 50) << scale;
         EXPECT_NEAR(meanOf(other) / meanOf(one), 1.0, 0.005) << scale;
     }
+}
+
+class Answers : public testing::Test {
+protected:
+    /// In a time that does not grow with what is nested or repeated.
+    Outcome render(const std::string& scene) {
+        Outcome run;
+        EXPECT_LT(processorTime([&] {
+                      run = dirt({"render", scene, "--size", "32x16", "--spp", "2", "--quiet",
+                                  "--no-cache", "-o", folder_ / "a.exr"});
+                  }),
+                  kGenerous);
+        return run;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Answers, ScalesInEachOtherMultiply) {
+    folder_.write("a.obj", kTriangleObj);
+    const auto nested = [&](const std::string& scale) {
+        std::string open, close;
+        for (int i = 0; i < 250; ++i) {
+            open += "<transformation scale=\"" + scale + "\">";
+            close += "</transformation>";
+        }
+        return folder_.write("a.scene", "<world background=\"1 1 1\">" + open +
+                                            "<object file=\"a.obj\"/>" + close + "</world>");
+    };
+    for (const char* scale : {"1.4 1.4 1.4", "1 1 1", "0.75 0.75 0.75"}) {
+        EXPECT_EQ(render(nested(scale)).status, 0) << scale;
+        const double mean = meanOf(readImage(folder_ / "a.exr"));
+        EXPECT_GT(mean, 0.5) << scale;
+        EXPECT_LT(mean, 0.98) << scale << ": the triangle is dark before the sky";
+    }
+    const Outcome beyond = render(nested("1.5 1.5 1.5"));
+    EXPECT_EQ(beyond.status, 2);
+    EXPECT_EQ(std::count(beyond.err.begin(), beyond.err.end(), '\n'), 1) << beyond.err;
+}
+
+TEST_F(Answers, HundredsOfCopiesInOnePlaceAreSeenAsOne) {
+    std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (int i = 0; i < 800; ++i) obj += "f 1 2 3\n";
+    EXPECT_EQ(render(folder_.write("one.obj", obj.substr(0, obj.find('f') + 8))).status, 0);
+    const Image one = readImage(folder_ / "a.exr");
+    EXPECT_NE(meanOf(one), 0.5) << "else there is nothing but the background";
+    EXPECT_EQ(render(folder_.write("many.obj", obj)).status, 0);
+    EXPECT_EQ(readImage(folder_ / "a.exr").pixels, one.pixels);
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, Scales, testing::Values("cpu", "embree", "gl"));
