@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/io/input_files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -25,9 +26,17 @@ enum ExitStatus { kDone = 0, kBadInput = 2, kMissingCapability = 3 };
 
 /// Prints the one line that explains a status of 2 or 3.
 int fail(ExitStatus status, const std::string& message) {
-    const std::string line = message.substr(0, message.find('\n'));
-    std::fprintf(stderr, "dirt: %s\n", line.c_str());
+    const size_t length = std::min(message.find('\n'), message.size());
+    std::fprintf(stderr, "dirt: %.*s\n", (int) length, message.c_str());
     return status;
+}
+
+/// The same without a text of its own, for which there may be no memory either.
+int failForMemory() {
+    std::fputs(
+        "dirt: out of memory: a smaller --size, fewer --bins or a larger --tile needs less\n",
+        stderr);
+    return kBadInput;
 }
 
 /// One line for what CLI11 says on one or two, in our words where its own are not clear.
@@ -79,10 +88,18 @@ int run(int argc, const char* const* argv) {
     } catch (const CapabilityError& error) {
         return fail(kMissingCapability, error.what());
     } catch (const std::bad_alloc&) {
-        return fail(kBadInput, "out of memory: a smaller --size, fewer --bins or a larger --tile "
-                               "needs less");
+        throw;
     } catch (const std::exception& error) {
         return fail(kBadInput, error.what());
+    }
+}
+
+/// Also where memory is out before there are options, or while something else is being said.
+int runWithinMemory(int argc, const char* const* argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        return failForMemory();
     }
 }
 
@@ -91,7 +108,7 @@ int run(int argc, const char* const* argv) {
 int runProgram(int argc, const char* const* argv) {
     std::clearerr(stdout);
     errno = 0;
-    const int status = run(argc, argv);
+    const int status = runWithinMemory(argc, argv);
     // A full disk may show only now.
     const bool flushed = std::fflush(stdout) == 0;
     if (!flushed && errno == EPIPE) return kBrokenPipe; // whoever read it has what he wanted

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include <OpenImageIO/deepdata.h>
 
@@ -17,13 +18,11 @@ OIIO::TypeDesc typeOf(const ExrChannel& channel) {
 
 template <typename Part>
 OIIO::ImageSpec specOf(const Part& part, const ImageMetadata& metadata) {
-    OIIO::ImageSpec spec(part.width, part.height, (int) part.channels.size(),
-                         OIIO::TypeDesc::FLOAT);
-    spec.channelnames.clear();
-    for (const ExrChannel& channel : part.channels) {
-        spec.channelnames.push_back(channel.name);
-        spec.channelformats.push_back(typeOf(channel));
-    }
+    std::vector<std::string> names;
+    for (const ExrChannel& channel : part.channels) names.push_back(channel.name);
+    OIIO::ImageSpec spec =
+        imageSpec(part.width, part.height, std::move(names), OIIO::TypeDesc::FLOAT);
+    for (const ExrChannel& channel : part.channels) spec.channelformats.push_back(typeOf(channel));
     describeImage(spec, metadata);
     spec.attribute("compression", "zips");
     spec.attribute("oiio:subimagename", part.name);

@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <string>
 #include <system_error>
+#include <utility>
+
+#include <dirent.h>
 
 namespace dirt {
 
@@ -22,14 +26,15 @@ std::string lowerCase(std::string text) {
 
 std::atomic<FolderListings*> listing{nullptr};
 
-/// Calls \p visit(name, name in lower case) for all that is in \p folder.
+/// Calls \p visit(name, name in lower case) for all that is in \p folder. (The standard library's
+/// iterator ends the process where memory is out.)
 template <typename Visit>
 void forEntries(const fs::path& folder, const Visit& visit) {
-    std::error_code error;
-    fs::directory_iterator entry(folder, error);
-    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        visit(name, lowerCase(name));
+    const std::unique_ptr<DIR, int (*)(DIR*)> open(opendir(folder.c_str()), closedir);
+    if (!open) return;
+    while (const dirent* const entry = readdir(open.get())) {
+        const std::string name = entry->d_name;
+        if (name != "." && name != "..") visit(name, lowerCase(name));
     }
 }
 
@@ -64,13 +69,16 @@ FolderListings::~FolderListings() {
 std::optional<std::string> FolderListings::find(const fs::path& folder,
                                                 const std::string& lowerCase) {
     const std::lock_guard lock(mutex_);
-    const auto [known, isNew] = listings_.try_emplace(folder.string());
-    Listing& names = known->second;
-    if (isNew)
+    auto known = listings_.find(folder.string());
+    if (known == listings_.end()) {
+        Listing names;
         forEntries(folder, [&](const std::string& name, const std::string& lower) {
             std::string& first = names[lower];
             if (first.empty() || name < first) first = name;
         });
+        known = listings_.emplace(folder.string(), std::move(names)).first;
+    }
+    const Listing& names = known->second;
     const auto found = names.find(lowerCase);
     return found == names.end() ? std::nullopt : std::optional(found->second);
 }

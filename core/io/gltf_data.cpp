@@ -35,7 +35,7 @@ GltfData::GltfData(const std::filesystem::path& file, const MemoryBudget& budget
     else
         json_ = bytes_;
     memory_.take(jsonBytes(json_), file_, "its JSON");
-    document_ = std::make_unique<const nlohmann::json>(parseJson(file_, json_, !binary));
+    document_.reset(new nlohmann::json(parseJson(file_, json_, !binary)));
     root_ = std::make_unique<JsonValue>(file_, *document_);
     const std::string version = root_->required("asset").text("version").value_or("");
     if (!version.starts_with("2."))

@@ -82,7 +82,7 @@ private:
     std::string bytes_;          ///< of the file
     std::string_view json_;
     std::span<const std::byte> binary_; ///< the chunk of a .glb
-    std::unique_ptr<const nlohmann::json> document_;
+    JsonDocument document_;
     std::unique_ptr<JsonValue> root_;
     std::vector<JsonValue> accessors_, views_;
     std::vector<std::string> loaded_; ///< buffers that are not the chunk

@@ -36,13 +36,14 @@ ImageFormat imageFormat(const std::string& path) {
 
 void writePng(const std::string& path, int width, int height, std::span<const uint8_t> rgb,
               const ImageMetadata& metadata) {
-    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-    encode(path, "png", std::move(spec), metadata, rgb.data());
+    encode(path, "png", imageSpec(width, height, {"R", "G", "B"}, OIIO::TypeDesc::UINT8), metadata,
+           rgb.data());
 }
 
 void writeExr(const std::string& path, const Image& image, const ImageMetadata& metadata) {
     static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
-    OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::FLOAT);
+    OIIO::ImageSpec spec =
+        imageSpec(image.width, image.height, {"R", "G", "B"}, OIIO::TypeDesc::FLOAT);
     spec.attribute("compression", "zip");
     spec.attribute("oiio:ColorSpace", "linear");
     encode(path, "openexr", std::move(spec), metadata, image.pixels.data());

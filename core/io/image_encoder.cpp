@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include <OpenImageIO/filesystem.h>
 
@@ -24,6 +25,16 @@ std::unique_ptr<OIIO::ImageOutput> create(const std::string& path, const char* f
 }
 
 } // namespace
+
+OIIO::ImageSpec imageSpec(int width, int height, std::vector<std::string> channels,
+                          OIIO::TypeDesc format) {
+    OIIO::ImageSpec spec(format);
+    spec.width = spec.full_width = width;
+    spec.height = spec.full_height = height;
+    spec.nchannels = (int) channels.size();
+    spec.channelnames = std::move(channels);
+    return spec;
+}
 
 void describeImage(OIIO::ImageSpec& spec, const ImageMetadata& metadata) {
     for (const auto& [name, value] : metadata) spec.attribute(name, value);

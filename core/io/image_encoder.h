@@ -4,10 +4,16 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <OpenImageIO/imageio.h>
 
 namespace dirt {
+
+/// A flat image in these channels. (The library's constructor ends the process where memory is
+/// out.)
+OIIO::ImageSpec imageSpec(int width, int height, std::vector<std::string> channels,
+                          OIIO::TypeDesc format);
 
 /// Adds \p metadata, and pins what would otherwise differ between equal files.
 void describeImage(OIIO::ImageSpec& spec, const ImageMetadata& metadata);

@@ -1,6 +1,7 @@
 #include "core/io/image_reader.h"
 
 #include "core/io/image_codec.h"
+#include "core/io/image_encoder.h"
 #include "core/io/load_report.h"
 #include "core/io/png_decoder.h"
 
@@ -44,10 +45,12 @@ class ImageReader::PngSource : public Source {
 public:
     explicit PngSource(const std::string& bytes) : decoder_(bytes) {
         const PngHeader& header = decoder_.header();
-        spec = OIIO::ImageSpec(header.width, header.height, header.channels,
-                               header.bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16);
+        std::vector<std::string> names = {"R", "G", "B", "A"};
+        names.resize((size_t) header.channels);
+        if (header.channels == 1) names = {"Y"};
+        spec = imageSpec(header.width, header.height, std::move(names),
+                         header.bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16);
         if (header.channels % 2 == 0) spec.alpha_channel = header.channels - 1;
-        if (header.channels == 1) spec.channelnames = {"Y"};
         for (const auto& [key, text] : decoder_.texts()) spec.attribute(key, text);
     }
 

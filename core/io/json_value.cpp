@@ -30,6 +30,15 @@ std::string range(uint64_t highest) {
     return " is not a whole number from 0 to " + std::to_string(highest);
 }
 
+/// Leaves nothing in \p value, leaves first, so that no destructor meets children; but for what is
+/// nested deeper than any file that means something, and than the stack would bear.
+void empty(Json& value, int depth = 0) {
+    constexpr int kDeepest = 512;
+    if (!value.is_structured() || depth > kDeepest) return;
+    for (Json& child : value) empty(child, depth + 1);
+    value.clear();
+}
+
 } // namespace
 
 void JsonValue::fail(const std::string& message) const {
@@ -163,6 +172,11 @@ uint64_t jsonBytes(std::string_view text) {
     };
     return text.size() + kElement * count(',') + kMember * count(':') + kArray * count('[') +
            kObject * count('{');
+}
+
+void JsonDeleter::operator()(nlohmann::json* document) const {
+    empty(*document);
+    delete document;
 }
 
 Json parseJson(const std::filesystem::path& file, std::string_view text, bool hasLines) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,13 @@ private:
 
 /// Bytes that parseJson of \p text takes at most, or nearly so.
 uint64_t jsonBytes(std::string_view text);
+
+/// A parsed file. The library's own type takes memory to go, and ends the process where there is
+/// none; this does not.
+struct JsonDeleter {
+    void operator()(nlohmann::json* document) const;
+};
+using JsonDocument = std::unique_ptr<nlohmann::json, JsonDeleter>;
 
 /// Parses \p text of \p file. Throws InputError, with the line where \p hasLines says that the file
 /// is that text.
