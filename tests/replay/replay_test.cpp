@@ -188,6 +188,22 @@ TEST_F(Replay, BuffersMayBeLeftOut) {
     EXPECT_EQ(dirt({"replay", without("rays")}).status, 2);
 }
 
+TEST_F(Replay, NumbersMayBeHexadecimal) {
+    const std::string folder = edited("rays.1.csv", [](std::string& text) {
+        std::string out = text.substr(0, text.find('\n') + 1);
+        for (size_t at = out.size(); at < text.size();) {
+            const size_t end = text.find_first_of(",\n", at);
+            char number[40];
+            std::snprintf(number, sizeof number, "%a", std::stod(text.substr(at, end - at)));
+            out += number + text.substr(end, 1);
+            at = end + 1;
+        }
+        ASSERT_NE(out.find("-0x1."), out.npos);
+        text = out;
+    });
+    EXPECT_EQ(replay(folder, 0)["passes"][4]["right"], 96);
+}
+
 TEST_F(Replay, WhatHasNoEffectIsNamedOnce) {
     const std::string folder = edited("depth.csv", [](std::string& text) {
         replaceOnce(text, "near,far", "near,far,colour");
