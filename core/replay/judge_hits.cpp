@@ -1,6 +1,5 @@
 #include "core/replay/judge_hits.h"
 
-#include "core/base/denormals.h"
 #include "core/replay/dumped_view.h"
 #include "core/trace/intersect.h"
 #include "core/trace/traverse.h"
@@ -159,7 +158,6 @@ JudgedPass judgeTrace(const ReplayInput& input, const DumpedHits& event, const J
     const HitJudge one(input, event, judge);
     std::mutex mutex;
     executor.forRange(event.hits.size(), kGrain, [&](size_t begin, size_t end) {
-        const FlushDenormals flush;
         JudgedPass found;
         for (size_t pixel = begin; pixel < end; ++pixel) one.judge((uint32_t) pixel, found);
         const std::lock_guard lock(mutex);
