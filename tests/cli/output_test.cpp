@@ -141,8 +141,9 @@ TEST_P(Output, StaysAsItWasWhereTheDiskIsFull) {
     std::filesystem::create_directory(folder_ / "out");
     // An earlier dump's manifest goes first of all; another file of that name would stay.
     const bool isManifest = GetParam().label == std::string("dump_manifest");
-    const std::string path = folder_.write("out/" + std::string(GetParam().file),
-                                           isManifest ? "{\"backend\":\"\",\"files\":[]}" : "old");
+    const std::string path =
+        folder_.write("out/" + std::string(GetParam().file),
+                      isManifest ? "{\"backend\":\"cpu\",\"files\":[]}" : "old");
     const std::vector<std::string> all = arguments(path);
     const auto before = contents(folder_.path());
     const Outcome run = startDirt(all, [] {
