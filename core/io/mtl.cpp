@@ -24,10 +24,10 @@ struct ColourKey {
     std::optional<glm::vec3> MtlMaterial::*value;
     float most;
 };
-constexpr ColourKey kColours[] = {{"Ka", &MtlMaterial::ambient, 1.0f},
-                                  {"Kd", &MtlMaterial::diffuse, 1.0f},
-                                  {"Ks", &MtlMaterial::specular, 1.0f},
-                                  {"Ke", &MtlMaterial::emission, kMostRadiance}};
+const ColourKey kColours[] = {{"Ka", &MtlMaterial::ambient, 1.0f},
+                              {"Kd", &MtlMaterial::diffuse, 1.0f},
+                              {"Ks", &MtlMaterial::specular, 1.0f},
+                              {"Ke", &MtlMaterial::emission, kMostRadiance}};
 
 /// Larger numbers are taken for `most`; that of Ns depends on the convention.
 struct NumberKey {
