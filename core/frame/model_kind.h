@@ -13,7 +13,7 @@ namespace dirt {
 /// - of the surface as a whole more is seen from within than from outside, and
 /// - from one place inside more of it is seen than from any one place outside; backs are counted
 ///   off.
-/// The second tells a hall from an engine, whose inner surface no place overlooks, from a tree,
+/// The second tells a hall from an engine, whose inner surface no place overlooks, and from a tree,
 /// where half of what is seen are backs. What shows nothing of its inside is an object, a case,
 /// whatever is in it; and so is what is seen whole along an axis: a bowl.
 ///

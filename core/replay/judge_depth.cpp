@@ -1,4 +1,3 @@
-#include "core/base/denormals.h"
 #include "core/grid/scan.h"
 #include "core/replay/dumped_view.h"
 #include "core/replay/exact_part.h"
@@ -6,7 +5,6 @@
 #include "shaders/shared/layouts.h"
 
 #include <cstdio>
-#include <mutex>
 
 namespace dirt {
 
@@ -122,7 +120,6 @@ private:
 
 /// One view's tiles.
 JudgedPass judgeView(const ReplayInput& input, uint32_t view) {
-    const FlushDenormals flush;
     const Grid& grid = *input.grid;
     const auto tiles = (size_t) grid.views[view].tiles();
     std::vector<DepthBounds> defined(tiles);
@@ -160,14 +157,8 @@ JudgedPass judgeFillDepth(const ReplayInput& input, Executor& executor) {
     JudgedPass pass;
     pass.pass = "FillDepth";
     pass.buffer = "depth bounds";
-    std::mutex mutex;
-    executor.forRange(input.grid->views.size(), 1, [&](size_t begin, size_t end) {
-        for (size_t view = begin; view < end; ++view) {
-            const JudgedPass found = judgeView(input, (uint32_t) view);
-            const std::lock_guard lock(mutex);
-            pass.add(found);
-        }
-    });
+    pass.addPieces(executor, input.grid->views.size(), 1,
+                   [&](size_t view, size_t) { return judgeView(input, (uint32_t) view); });
     return pass;
 }
 

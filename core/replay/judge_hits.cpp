@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <mutex>
 
 namespace dirt {
 
@@ -156,12 +155,10 @@ JudgedPass judgeTrace(const ReplayInput& input, const DumpedHits& event, const J
     pass.event = event.event;
     pass.buffer = "hit buffer";
     const HitJudge one(input, event, judge);
-    std::mutex mutex;
-    executor.forRange(event.hits.size(), kGrain, [&](size_t begin, size_t end) {
+    pass.addPieces(executor, event.hits.size(), kGrain, [&](size_t begin, size_t end) {
         JudgedPass found;
         for (size_t pixel = begin; pixel < end; ++pixel) one.judge((uint32_t) pixel, found);
-        const std::lock_guard lock(mutex);
-        pass.add(found);
+        return found;
     });
     return pass;
 }

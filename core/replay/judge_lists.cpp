@@ -1,10 +1,8 @@
-#include "core/base/denormals.h"
 #include "core/grid/scan.h"
 #include "core/replay/exact_part.h"
 #include "core/replay/judge_structure.h"
 
 #include <algorithm>
-#include <mutex>
 #include <span>
 #include <tuple>
 
@@ -55,7 +53,6 @@ public:
     }
 
     JudgedPass judge() {
-        const FlushDenormals flush;
         takeOutRepeated();
         const auto& triangles = input_.geometry.triangles;
         for (uint32_t id = 0; id < triangles.size(); ++id)
@@ -206,14 +203,8 @@ JudgedPass judgeFillPrimitives(const ReplayInput& input, Executor& executor) {
     JudgedPass pass;
     pass.pass = "FillPrimitives";
     pass.buffer = "lists";
-    std::mutex mutex;
-    executor.forRange(input.grid->views.size(), 1, [&](size_t begin, size_t end) {
-        for (size_t view = begin; view < end; ++view) {
-            const JudgedPass found = ViewLists(input, (uint32_t) view).judge();
-            const std::lock_guard lock(mutex);
-            pass.add(found);
-        }
-    });
+    pass.addPieces(executor, input.grid->views.size(), 1,
+                   [&](size_t view, size_t) { return ViewLists(input, (uint32_t) view).judge(); });
     return pass;
 }
 

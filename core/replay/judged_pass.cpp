@@ -29,6 +29,14 @@ void JudgedPass::add(const JudgedPass& other) {
     for (const auto& [sort, count] : other.faults) countOf(sort) += count;
 }
 
+void JudgedPass::addPieces(Executor& executor, size_t count, size_t grain,
+                           const std::function<JudgedPass(size_t begin, size_t end)>& judge) {
+    std::vector<JudgedPass> pieces((count + grain - 1) / grain);
+    executor.forRange(count, grain,
+                      [&](size_t begin, size_t end) { pieces[begin / grain] = judge(begin, end); });
+    for (const JudgedPass& piece : pieces) add(piece);
+}
+
 std::string JudgedPass::name() const {
     return event < 0 ? pass : pass + " " + std::to_string(event);
 }

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "core/base/executor.h"
+
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +51,10 @@ struct JudgedPass {
     }
     /// Adds what another has found of the same buffer.
     void add(const JudgedPass& other);
+    /// Adds what \p judge finds in pieces of [0, \p count) of at most \p grain, in their order
+    /// whatever the number of threads.
+    void addPieces(Executor& executor, size_t count, size_t grain,
+                   const std::function<JudgedPass(size_t begin, size_t end)>& judge);
     /// "Trace 1", or the name alone.
     std::string name() const;
 
