@@ -186,23 +186,24 @@ inline Mesh ballInABall() {
 
 /// Two shells that face outwards and inwards, as a case has them, and a ball in it.
 inline Mesh caseWithABall() {
-    Mesh mesh = hollowBox(0.1f);
+    Mesh mesh;
+    addBall(mesh, glm::vec3(0), 0.9f, 12);
+    for (Corners& t : mesh.triangles) std::swap(t[0], t[1]);
+    addBall(mesh, glm::vec3(0), 1.0f, 12);
     addBall(mesh, glm::vec3(0), 0.5f, 12);
     return mesh;
 }
 
-/// A closed room whose walls are there twice, from either side, but for the diagonals of their
-/// quads; and a box in it.
+/// A closed box whose sides are there twice, to be seen from either side. (The diagonals of their
+/// quads cross: no two triangles have the same corners.)
+inline void addTwoSidedBox(Mesh& mesh, glm::vec3 low, glm::vec3 high) {
+    addBox(mesh, low, high, true);
+    addBox(mesh, low, high, false);
+}
+
 inline Mesh twoSidedRoom() {
     Mesh mesh;
-    addBox(mesh, {-3, 0, -3}, {3, 2.7f, 3}, true);
-    addBox(mesh, {-3, 0, -3}, {3, 2.7f, 3}, false);
-    for (size_t i = 12; i < 24; i += 2) { // abc, acd: abd, bcd
-        auto &first = mesh.triangles[i], &second = mesh.triangles[i + 1];
-        const uint32_t c = first[2];
-        first[2] = second[2];
-        second = {first[1], c, first[2]};
-    }
+    addTwoSidedBox(mesh, {-3, 0, -3}, {3, 2.7f, 3});
     addBox(mesh, {-1, 0, -1}, {1, 1, 1}, false);
     return mesh;
 }
@@ -217,7 +218,7 @@ inline Mesh tray() {
 /// The lower half of a ball whose inside is its front.
 inline Mesh bowl() {
     Mesh mesh;
-    const int around = 24, down = 8;
+    const int around = 16, down = 8;
     const auto at = [&](int i, int j) {
         const float turn = 2 * (float) std::numbers::pi * (float) (i % around) / around;
         const float fall = 0.5f * (float) std::numbers::pi * (float) j / down;
@@ -226,7 +227,7 @@ inline Mesh bowl() {
     };
     for (int i = 0; i < around; ++i)
         for (int j = 0; j < down; ++j)
-            addQuad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+            addQuad(mesh, at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j));
     return mesh;
 }
 
