@@ -19,7 +19,8 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LOGS = ROOT / "build" / "nightly"
 DIRT = str(ROOT / "dirt")
-FUZZERS = ["cache", "gltf", "gltf_tree", "image", "manifest", "mtl", "obj", "scene", "texture"]
+FUZZERS = ["cache", "gltf", "gltf_tree", "image", "manifest", "mtl", "obj", "replay",
+           "scene", "texture"]
 SCENES = pathlib.Path(os.environ.get("DIRT_SCENES", ROOT / "../shared/scenes"))
 
 
