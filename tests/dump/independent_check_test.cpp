@@ -6,6 +6,8 @@
 #include "core/io/load.h"
 #include "tests/cli/program.h"
 
+#include <cmath>
+#include <filesystem>
 #include <functional>
 #include <stdexcept>
 
@@ -96,6 +98,55 @@ TEST_F(IndependentCheck, ObjectsToWrongGrids) {
         where);
     const std::string text = objection([&](Grid& grid) { filled(grid, 1).near *= 0.999999f; });
     EXPECT_NE(text.find("near"), std::string::npos) << text;
+}
+
+/// The example that compares dumps names the one list entry, and the one value, that are not alike.
+TEST_F(IndependentCheck, ComparedDumpsNameWhatDiffers) {
+    dump("16", "8");
+    const std::filesystem::path a = folder_.path() / "a", b = folder_.path() / "b";
+    for (const auto& copy : {a, b}) {
+        std::filesystem::create_directory(copy);
+        for (const char* file : {"manifest.json", "triangles.exr", "depth.exr", "ids.exr"})
+            std::filesystem::copy(folder_.path() / file, copy / file);
+    }
+    const auto compare = [&] {
+        return python({kSource + "/examples/dump/compare_dumps.py", a, b});
+    };
+    const Outcome same = compare();
+    EXPECT_EQ(same.status, 0) << same.out << same.err;
+    EXPECT_EQ(same.out, "0 differences\n");
+
+    SerialExecutor serial;
+    CpuBackend backend(serial);
+    const Scene scene = loadScene(kScene).scene;
+    GridSettings settings;
+    settings.width = 96;
+    settings.height = 64;
+    settings.bins = 8;
+    backend.build(scene.mesh, scene.camera, settings);
+    Grid grid = backend.grid();
+    size_t cell = 0; // the first with a list, which loses its only or last entry
+    while (grid.heads[cell + 1] == grid.heads[cell]) ++cell;
+    const size_t tile = cell / 8, bin = cell % 8, view = 5;
+    ASSERT_GE(tile, grid.firstTile[view]) << "the room is seen ahead alone";
+    const uint32_t lost = grid.ids[grid.heads[cell + 1] - 1];
+    grid.ids.erase(grid.ids.begin() + grid.heads[cell + 1] - 1);
+    for (size_t i = cell + 1; i < grid.heads.size(); ++i) --grid.heads[i];
+    const size_t inView = tile - grid.firstTile[view];
+    const std::string place = std::to_string(inView % (size_t) grid.views[view].columns) + "," +
+                              std::to_string(inView / (size_t) grid.views[view].columns);
+    DepthBounds& bounds = grid.pyramids[view].levels[0].bounds[inView];
+    bounds.far = std::nextafter(bounds.far, 2.0f);
+    Dump spoilt(b, 96, 64, {});
+    spoilt.depth(grid);
+    spoilt.ids(grid, backend.geometry());
+    const Outcome run = compare();
+    EXPECT_EQ(run.status, 1);
+    for (const std::string& said :
+         {"entries only in " + a.string() + "; " + place + ": ", "bin " + std::to_string(bin) + ",",
+          "id " + std::to_string(lost) + ",", std::string("far: 1 of 16 differ; ") + place + ": ",
+          std::string("\n2 differences\n")})
+        EXPECT_NE(run.out.find(said), run.out.npos) << said << "\n" << run.out;
 }
 
 } // namespace
