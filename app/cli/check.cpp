@@ -1,11 +1,13 @@
 #include "core/check/check.h"
+#include "app/cli/again.h"
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
-#include "app/cli/structure_options.h"
 #include "core/base/error.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <initializer_list>
 #include <memory>
 #include <vector>
 
@@ -26,11 +28,12 @@ BackendKind kindOf(const std::string& name) {
     throw InputError("--backends: '" + name + "' is none of cpu, gl, embree");
 }
 
-/// Lists are the one buffer whose entries are missing or too many, rather than wrong in value.
+/// Lists are the one buffer whose entries are missing or too many, rather than wrong in value. Each
+/// counts once, though both directions see it.
 uint64_t wrongEntries(const std::vector<CheckRow>& rows) {
     uint64_t wrong = 0;
     for (const CheckRow& row : rows)
-        if (row.buffer == "lists") wrong += row.different;
+        if (row.buffer == "lists") wrong = std::max(wrong, row.different);
     return wrong;
 }
 
@@ -51,34 +54,67 @@ void printRows(std::FILE* file, const CheckReport& report, const CheckOptions& o
     for (size_t i = 0; i < 2; ++i)
         std::fprintf(file, "image mean of %-6s %.9g %.9g %.9g\n", options.backends[i].c_str(),
                      report.means[i].x, report.means[i].y, report.means[i].z);
+    std::fflush(file); // what follows on standard error comes last where both are one
 }
 
-void printExamples(std::FILE* file, const CheckReport& report, const std::string& command) {
+/// All that shapes the passes, said or not.
+std::string checkCommand(const CheckOptions& options, const CommonOptions& common,
+                         const Input& input) {
+    return commandStart("check", options.common.scene) + " --backends " + options.backends[0] +
+           "," + options.backends[1] + structureOptions(input, common) + pathOptions(input, common);
+}
+
+/// What shows \p place of a row in the backend that ran the pass; empty where nothing does.
+std::string commandFor(const CheckRow& row, const CheckOptions& options, CommonOptions common,
+                       const Input& input) {
+    const Place& place = row.first;
+    common.backends.clear();
+    common.backend = kindOf(row.tested);
+    const auto numbers = [](std::initializer_list<int> list) {
+        std::string text;
+        for (const int n : list) text += (text.empty() ? " " : ",") + std::to_string(n);
+        return text;
+    };
+    std::string command = "explain", subject;
+    switch (place.kind) {
+    case Place::Kind::none:
+        return "";
+    case Place::Kind::primitive:
+        subject = " --primitive " + std::to_string(place.id);
+        break;
+    case Place::Kind::tile:
+        subject = " --tile" + numbers({place.view, place.x, place.y});
+        break;
+    case Place::Kind::pixel:
+        subject = " --pixel" + numbers({place.x, place.y});
+        if (row.event >= 0) subject += " --event " + std::to_string(row.event);
+        break;
+    case Place::Kind::texel:
+        command = "preview";
+        subject = " --show shadowmap -o shadowmap.png";
+        break;
+    }
+    const bool needsPaths = place.kind == Place::Kind::pixel || place.kind == Place::Kind::texel;
+    return commandStart(command, options.common.scene) + subject + " --backend " +
+           nameOf(common.backend) + structureOptions(input, common) +
+           (needsPaths ? pathOptions(input, common) : "");
+}
+
+/// The first differences, the command that finds them again, and last the one that shows the first.
+void printExamples(std::FILE* file, const CheckReport& report, const CheckOptions& options,
+                   const CommonOptions& common, const Input& input) {
+    if (report.passed()) return;
     for (const CheckRow& row : report.rows)
         for (const std::string& example : row.examples)
             std::fprintf(file, "%s, %s, %s on the data of %s: %s\n", passName(row).c_str(),
                          row.buffer.c_str(), row.tested.c_str(), row.source.c_str(),
                          example.c_str());
-    if (!report.passed()) std::fprintf(file, "again: %s\n", command.c_str());
-}
-
-/// All that shapes the passes, said or not.
-std::string commandOf(const CheckOptions& options, const CommonOptions& common,
-                      const Input& input) {
-    const RenderSettings& settings = input.settings;
-    const char* const rayTypes[] = {"default", "diffuse", "glossy", "specular", "visibility"};
-    return "dirt check " + options.common.scene + " --backends " + options.backends[0] + "," +
-           options.backends[1] + structureOptions(input, common) +
-           (settings.primary == Primary::raster ? " --primary raster" : " --primary traced") +
-           (settings.fetch == Fetch::raster ? " --fetch raster" : " --fetch direct") +
-           (settings.visibility == LightVisibility::traced ? " --visibility traced"
-                                                           : " --visibility shadowmap") +
-           (settings.shading == Shading::full ? "" : " --shading packed") + " --ray-type " +
-           rayTypes[(size_t) settings.rayType] +
-           (settings.rayType == RayType::visibility
-                ? ""
-                : " --bounces " + std::to_string(settings.bounces)) +
-           " --seed " + std::to_string(settings.seed);
+    std::fprintf(file, "again: %s\n", checkCommand(options, common, input).c_str());
+    const auto first = std::find_if(report.rows.begin(), report.rows.end(),
+                                    [](const CheckRow& row) { return row.different > 0; });
+    if (first == report.rows.end()) return; // the means alone
+    const std::string command = commandFor(*first, options, common, input);
+    if (!command.empty()) std::fprintf(file, "look: %s\n", command.c_str());
 }
 
 Json rowJson(const CheckRow& row) {
@@ -111,7 +147,7 @@ bool runCheck(const CheckOptions& options) {
 
     std::FILE* const table = options.json ? stderr : stdout;
     if (!options.json || !options.common.quiet) printRows(table, report, options);
-    printExamples(stderr, report, commandOf(options, common, input));
+    printExamples(stderr, report, options, common, input);
     if (options.json) {
         Json json = reportOf(input, *second, *executor, {});
         json.erase("spp");

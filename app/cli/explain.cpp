@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/explain_json.h"
+#include "app/cli/explain_ray.h"
 #include "app/cli/explain_text.h"
 #include "app/cli/input.h"
 #include "app/cli/interrupt.h"
@@ -7,6 +8,7 @@
 #include "core/base/error.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -20,8 +22,11 @@ struct ExplainOptions {
     std::optional<std::array<int, 2>> pixel;
     std::optional<std::array<int, 3>> tile; ///< view, column, row
     std::optional<int64_t> primitive;
-    std::optional<int> event; ///< none: all
-    uint32_t sample = 0;
+    std::optional<int> event;       ///< none: all
+    std::optional<uint32_t> sample; ///< none: the first
+    std::optional<Ray> ray;
+    std::optional<uint32_t> skip;
+    std::optional<float> maxT;
     bool json = false;
 };
 
@@ -45,20 +50,21 @@ void checkPixel(const std::array<int, 2>& pixel, const RenderSettings& settings,
 /// 1 where the backend's answer is not that of the definition over its own grid.
 int explainPixel(const ExplainOptions& options, const Input& input, Backend& backend) {
     const auto [x, y] = *options.pixel;
+    const uint32_t sample = options.sample.value_or(0);
     checkPixel(*options.pixel, input.settings, options.event);
     catchInterrupts();
     const PathAccount account = accountOf(
         input.scene, input.settings, backend,
-        (size_t) y * (size_t) input.settings.grid.width + (size_t) x, options.sample, interrupted);
+        (size_t) y * (size_t) input.settings.grid.width + (size_t) x, sample, interrupted);
     if (interrupted()) return interruptStatus();
     Json json = {{"scene", input.scene.name},
                  {"backend", backend.name()},
                  {"pixel", {x, y}},
-                 {"sample", options.sample},
+                 {"sample", sample},
                  {"events", Json::array()}};
     std::string text = "pixel (" + std::to_string(x) + ", " + std::to_string(y) + "), sample " +
-                       std::to_string(options.sample) + " of " + input.scene.name + ", " +
-                       backend.name() + "\n";
+                       std::to_string(sample) + " of " + input.scene.name + ", " + backend.name() +
+                       "\n";
     bool agrees = true;
     for (const EventAccount& event : account.events) {
         if (options.event && *options.event != event.event) continue;
@@ -66,7 +72,7 @@ int explainPixel(const ExplainOptions& options, const Input& input, Backend& bac
         json["events"].push_back(eventJson(event, rays));
         text += eventText(input.scene, account, event);
         for (const ExplainedRay& ray : rays) {
-            text += rayText(account, ray);
+            text += rayText(account.grid, ray);
             const std::string problem = disagreement(event, ray);
             agrees = agrees && problem.empty();
             if (!problem.empty()) text += "  DIFFERENT: " + problem + "\n";
@@ -137,15 +143,30 @@ int explainLists(const ExplainOptions& options, const Input& input, Backend& bac
     return wrong == 0 ? 0 : 1;
 }
 
-int runExplain(const ExplainOptions& options) {
-    const int subjects =
-        options.pixel.has_value() + options.tile.has_value() + options.primitive.has_value();
-    if (subjects != 1)
+/// Options that say more of a subject that is not asked about would have no effect.
+void checkSubject(const ExplainOptions& o) {
+    if (o.pixel.has_value() + o.tile.has_value() + o.primitive.has_value() + o.ray.has_value() != 1)
         throw InputError(
-            "explain: one of --pixel X,Y, --tile VIEW,X,Y and --primitive ID says what");
+            "explain: one of --pixel X,Y, --tile VIEW,X,Y, --primitive ID and --ray says what");
+    const auto refuse = [](bool given, const char* option, const char* subject) {
+        if (given) throw InputError(std::string(option) + ": has no effect without " + subject);
+    };
+    refuse(o.event && !o.pixel, "--event", "--pixel");
+    refuse(o.sample && !o.pixel, "--sample", "--pixel");
+    refuse(o.skip && !o.ray, "--skip", "--ray");
+    refuse(o.maxT && !o.ray, "--max-t", "--ray");
+}
+
+int runExplain(const ExplainOptions& options) {
+    checkSubject(options);
     const auto executor = makeExecutor(options.common);
     const Input input = openInput(options.common, *executor);
     const auto backend = makeBackend(options.common, *executor);
+    if (options.ray) {
+        AskedRay asked{*options.ray, options.maxT};
+        asked.ray.skip = options.skip.value_or(kNoPrimitive);
+        return explainRay(input, *backend, asked, options.json);
+    }
     return options.pixel ? explainPixel(options, input, *backend)
                          : explainLists(options, input, *backend);
 }
@@ -186,6 +207,15 @@ void addExplain(Command program, int& status) {
                [options](int64_t n) { options->sample = (uint32_t) n; });
     addInteger(command, "--event", 0, 1023, "only this path event (default: all)",
                [options](int64_t k) { options->event = (int) k; });
+    addNumbers(command, "--ray", 6, "OX,OY,OZ,DX,DY,DZ",
+               "origin and direction of a ray, in the grid frame",
+               [options](const std::vector<double>& v) {
+                   options->ray = Ray{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, kNoPrimitive};
+               });
+    addInteger(command, "--skip", 0, kNoPrimitive - 1, "the triangle that the ray starts on",
+               [options](int64_t id) { options->skip = (uint32_t) id; });
+    addNumber(command, "--max-t", 0.0f, HUGE_VALF, "ask whether anything is hit before",
+              [options](float t) { options->maxT = t; });
     command.addFlag("--json", options->json, "print JSON");
     command.onRun([options, &status] { status = runExplain(*options); });
 }

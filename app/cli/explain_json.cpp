@@ -64,6 +64,8 @@ Json viewJson(const ViewTrail& view) {
             {"tiles", tiles}};
 }
 
+} // namespace
+
 Json hitJson(const Hit& hit) {
     if (!hit.found()) return {};
     return {{"primitive", hit.primitive}, {"t", hit.t},      {"u", hit.u}, {"v", hit.v},
@@ -92,8 +94,6 @@ Json rayJson(const ExplainedRay& explained) {
     for (const ViewTrail& view : trail.views) json["views"].push_back(viewJson(view));
     return json;
 }
-
-} // namespace
 
 Json eventJson(const EventAccount& event, const std::vector<ExplainedRay>& rays) {
     const SurfacePoint& point = event.point;

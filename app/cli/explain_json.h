@@ -7,6 +7,8 @@ namespace dirt {
 
 /// What explain_text.h says, as JSON.
 Json eventJson(const EventAccount& event, const std::vector<ExplainedRay>& rays);
+Json rayJson(const ExplainedRay& ray);
+Json hitJson(const Hit& hit);
 Json entriesJson(const std::vector<TileEntry>& entries);
 
 } // namespace dirt

@@ -197,7 +197,7 @@ std::string eventText(const Scene& scene, const PathAccount& account, const Even
     return text;
 }
 
-std::string rayText(const PathAccount& account, const ExplainedRay& explained) {
+std::string rayText(const std::optional<Grid>& grid, const ExplainedRay& explained) {
     const Ray& ray = explained.ray;
     std::string text = format("  %s ray, grid frame: from %s along %s", explained.kind.c_str(),
                               vectorText(ray.origin).c_str(), vectorText(ray.direction).c_str());
@@ -218,7 +218,7 @@ std::string rayText(const PathAccount& account, const ExplainedRay& explained) {
         text += "hits nothing\n";
     if (!trail.atEye.empty()) text += "    at the eye\n";
     for (const TriangleTrail& tested : trail.atEye) text += triangleText(tested);
-    for (const ViewTrail& view : trail.views) text += viewText(*account.grid, view);
+    for (const ViewTrail& view : trail.views) text += viewText(*grid, view);
     return text;
 }
 

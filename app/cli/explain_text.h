@@ -27,7 +27,8 @@ std::string disagreement(const EventAccount& event, const ExplainedRay& ray);
 // The same things for reading; lines end with a newline.
 
 std::string eventText(const Scene& scene, const PathAccount& account, const EventAccount& event);
-std::string rayText(const PathAccount& account, const ExplainedRay& ray);
+/// \p grid: of the ray's trail, where it has one.
+std::string rayText(const std::optional<Grid>& grid, const ExplainedRay& ray);
 std::string entriesText(const Scene& scene, const Grid& grid,
                         const std::vector<TileEntry>& entries);
 

@@ -1,6 +1,6 @@
 #include "app/cli/image_metadata.h"
 
-#include "app/cli/structure_options.h"
+#include "app/cli/again.h"
 
 #include <cstdio>
 

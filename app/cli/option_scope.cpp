@@ -93,10 +93,9 @@ bool isGiven(const CommonOptions& o, std::string_view option) {
 
 /// As they are chosen: "--backend cpu", "--backends cpu,embree".
 std::string backendText(const std::vector<BackendKind>& backends) {
-    constexpr const char* kNames[] = {"cpu", "gl", "embree"};
     std::string text = backends.size() > 1 ? "--backends " : "--backend ";
     for (const BackendKind kind : backends)
-        text.append(kind == backends.front() ? "" : ",").append(kNames[(size_t) kind]);
+        text.append(kind == backends.front() ? "" : ",").append(nameOf(kind));
     return text;
 }
 

@@ -77,18 +77,32 @@ Option addNumber(Command command, const std::string& name, float low, float high
     });
 }
 
+Option addNumbers(Command command, const std::string& name, size_t count,
+                  const std::string& typeName, const std::string& help,
+                  std::function<void(const std::vector<double>&)> set) {
+    constexpr const char* kCounts[] = {"no", "one", "two", "three", "four", "five", "six"};
+    const std::string expected = std::string(kCounts[count]) + " numbers " + typeName;
+    return command.addReader(name, typeName, help, [=](const std::string& text) {
+        std::vector<double> values;
+        std::string_view rest = text;
+        for (bool more = true; more;) {
+            const size_t comma = rest.find(',');
+            double value = 0.0;
+            if (!parse(rest.substr(0, comma), value) || !fitsFloat(value))
+                refuse(name, text, expected);
+            values.push_back(value);
+            more = comma != rest.npos;
+            if (more) rest.remove_prefix(comma + 1);
+        }
+        if (values.size() != count) refuse(name, text, expected);
+        set(values);
+    });
+}
+
 Option addVector(Command command, const std::string& name, const std::string& help,
                  std::function<void(glm::dvec3)> set) {
-    return command.addReader(name, "X,Y,Z", help, [=](const std::string& text) {
-        const std::string_view all = text;
-        const size_t first = all.find(',');
-        const size_t second = first == all.npos ? all.npos : all.find(',', first + 1);
-        glm::dvec3 value{0.0};
-        if (second == all.npos || !parse(all.substr(0, first), value.x) ||
-            !parse(all.substr(first + 1, second - first - 1), value.y) ||
-            !parse(all.substr(second + 1), value.z) || !fitsFloat(value))
-            refuse(name, text, "three numbers X,Y,Z");
-        set(value);
+    return addNumbers(command, name, 3, "X,Y,Z", help, [set](const std::vector<double>& v) {
+        set({v[0], v[1], v[2]});
     });
 }
 

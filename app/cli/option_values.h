@@ -31,6 +31,12 @@ Option addIntegers(Command command, const std::string& name, size_t count, int h
 Option addNumber(Command command, const std::string& name, float low, float high,
                  const std::string& help, std::function<void(float)> set);
 
+/// \p count (six at most) numbers that are finite in float32, with commas between, shown as \p
+/// typeName.
+Option addNumbers(Command command, const std::string& name, size_t count,
+                  const std::string& typeName, const std::string& help,
+                  std::function<void(const std::vector<double>&)> set);
+
 /// Three numbers X,Y,Z that are finite in float32.
 Option addVector(Command command, const std::string& name, const std::string& help,
                  std::function<void(glm::dvec3)> set);

@@ -85,6 +85,11 @@ void addImageOptions(Command command, CommonOptions& o) {
 
 } // namespace
 
+const char* nameOf(BackendKind kind) {
+    constexpr const char* kNames[] = {"cpu", "gl", "embree"};
+    return kNames[(size_t) kind];
+}
+
 void addCommonOptions(Command command, CommonOptions& o) {
     command.addText("SCENE", o.scene, "a .scene, .obj, .gltf or .glb file").required();
     addSettingsOptions(command, o);

@@ -17,6 +17,9 @@ namespace dirt {
 /// What finds the hits.
 enum class BackendKind { cpu, gl, embree };
 
+/// As --backend has it.
+const char* nameOf(BackendKind kind);
+
 /// Image size in pixels.
 struct ImageSize {
     int width = 0, height = 0;

@@ -40,6 +40,7 @@ bool runVerify(const VerifyOptions& options) {
     std::FILE* const table = options.json ? stderr : stdout;
     const bool printed = !options.json || !options.common.quiet;
     Json results = Json::object();
+    std::optional<WrongAnswer> first;
     bool right = true;
     if (printed) printVerifyHeader(table);
     for (const RayKind kind : kinds) {
@@ -49,9 +50,11 @@ bool runVerify(const VerifyOptions& options) {
         if (report.backends[0].errors() > 0)
             printAgain(stderr, verifyCommand(options.common, input, settings) + " --kinds " +
                                    std::string(rayKindName(kind)));
+        if (!first && !report.wrong.empty()) first = report.wrong.front();
         results[std::string(rayKindName(kind))] = kindJson(report, names);
         right = right && report.backends[0].errors() == 0;
     }
+    if (first) printLook(stderr, options.common, input, *first);
     if (options.json) {
         Json report = reportOf(input, *tested, *executor, build);
         report["kinds"] = std::move(results);

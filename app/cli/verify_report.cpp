@@ -1,14 +1,28 @@
 #include "app/cli/verify_report.h"
 
-#include "app/cli/structure_options.h"
+#include "app/cli/again.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dirt {
 
 namespace {
 
-const char* describe(Grade grade) {
+std::string primitiveText(uint32_t id) {
+    return id == kNoPrimitive ? "none" : std::to_string(id);
+}
+
+bool isFinite(const Ray& ray) {
+    const auto finite = [](glm::vec3 v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    return finite(ray.origin) && finite(ray.direction);
+}
+
+} // namespace
+
+const char* word(Grade grade) {
     switch (grade) {
     case Grade::right:
         return "right";
@@ -21,12 +35,6 @@ const char* describe(Grade grade) {
     }
     return "";
 }
-
-std::string primitiveText(uint32_t id) {
-    return id == kNoPrimitive ? "none" : std::to_string(id);
-}
-
-} // namespace
 
 void printVerifyHeader(std::FILE* file) {
     std::fprintf(file, "%-8s %-14s %9s %9s %9s %9s %12s %10s\n", "kind", "", "rays", "missed",
@@ -49,7 +57,7 @@ void printKind(std::FILE* file, const KindReport& report, const std::vector<std:
 void printWrongAnswers(std::FILE* file, const std::vector<WrongAnswer>& answers) {
     for (const WrongAnswer& wrong : answers) {
         const glm::vec3 o = wrong.ray.origin, d = wrong.ray.direction;
-        std::fprintf(file, "%s: ray %u of kind %s, in the grid frame:\n", describe(wrong.grade),
+        std::fprintf(file, "%s: ray %u of kind %s, in the grid frame:\n", word(wrong.grade),
                      wrong.index, std::string(rayKindName(wrong.kind)).c_str());
         std::fprintf(file, "  origin %a %a %a  direction %a %a %a  skip %s\n", o.x, o.y, o.z, d.x,
                      d.y, d.z, primitiveText(wrong.ray.skip).c_str());
@@ -70,11 +78,25 @@ void printAgain(std::FILE* file, const std::string& command) {
     std::fprintf(file, "  again: %s\n", command.c_str());
 }
 
+void printLook(std::FILE* file, const CommonOptions& options, const Input& input,
+               const WrongAnswer& wrong) {
+    if (!isFinite(wrong.ray)) return; // no option has it
+    const glm::vec3 o = wrong.ray.origin, d = wrong.ray.direction;
+    char ray[160];
+    std::snprintf(ray, sizeof ray, " --ray=%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", (double) o.x,
+                  (double) o.y, (double) o.z, (double) d.x, (double) d.y, (double) d.z);
+    std::string command = commandStart("explain", options.scene) + ray;
+    if (wrong.ray.skip != kNoPrimitive) command += " --skip " + std::to_string(wrong.ray.skip);
+    char limit[32] = "";
+    if (wrong.maxT) std::snprintf(limit, sizeof limit, " --max-t %.9g", (double) *wrong.maxT);
+    command += std::string(limit) + " --backend " + nameOf(options.backend);
+    std::fprintf(file, "  look: %s%s\n", command.c_str(), structureOptions(input, options).c_str());
+}
+
 std::string verifyCommand(const CommonOptions& options, const Input& input,
                           const VerifySettings& settings) {
-    constexpr const char* kBackends[] = {"cpu", "gl", "embree"};
-    std::string command = "dirt verify " + options.scene + " --backend ";
-    command += kBackends[(size_t) options.backend];
+    std::string command = commandStart("verify", options.scene) + " --backend ";
+    command += nameOf(options.backend);
     command += " --rays " + std::to_string(settings.rays);
     command += " --seed " + std::to_string(settings.seed);
     return command + structureOptions(input, options);

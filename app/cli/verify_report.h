@@ -9,6 +9,9 @@
 
 namespace dirt {
 
+/// In words.
+const char* word(Grade grade);
+
 /// The header of verify's table.
 void printVerifyHeader(std::FILE* file);
 
@@ -18,8 +21,10 @@ void printKind(std::FILE* file, const KindReport& report, const std::vector<std:
 /// Rays that the first backend got wrong, as hexadecimal floats in the grid frame.
 void printWrongAnswers(std::FILE* file, const std::vector<WrongAnswer>& wrong);
 
-/// The line that says how to repeat what went wrong.
+/// The lines that say how to repeat what went wrong, and how to look at the first of it.
 void printAgain(std::FILE* file, const std::string& command);
+void printLook(std::FILE* file, const CommonOptions& options, const Input& input,
+               const WrongAnswer& wrong);
 
 /// The command that casts the same rays, with everything said that shapes them but their kind.
 std::string verifyCommand(const CommonOptions& options, const Input& input,

@@ -11,6 +11,13 @@ BuiltStructure buildOn(Backend& backend, const Mesh& mesh, const Camera& camera,
     return built;
 }
 
+BuiltStructure defined(const Mesh& mesh, const Camera& camera, const GridSettings& settings) {
+    BuiltStructure built;
+    built.geometry = makeFrameGeometry(mesh, camera, settings.mode);
+    built.grid = buildGrid(built.geometry, camera, settings);
+    return built;
+}
+
 void hand(const BuiltStructure& built, const Camera& camera, const GridSettings& settings,
           Backend& backend) {
     if (!built.grid || !backend.hasGrid()) {

@@ -37,8 +37,9 @@ std::vector<CheckRow> checkConstruction(const Mesh& mesh, const Camera& camera,
                                         Backend& second);
 
 /// The same, and then all passes of one sample: each backend renders it once, and the other runs
-/// every pass beside it, on a copy of what the first has made so far. What may differ is said in
-/// docs/check.md.
+/// every pass beside it, on a copy of what the first has made so far. Where the structures differ
+/// the samples run over core's own, so that the fault of one pass does not show in others. What may
+/// differ is said in docs/check.md.
 CheckReport checkBackends(const Scene& scene, const RenderSettings& settings, Backend& first,
                           Backend& second);
 

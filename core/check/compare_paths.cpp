@@ -104,7 +104,7 @@ void compareRecords(const std::vector<Record>& expected, const std::vector<Recor
     row.compared += std::max(expected.size(), found.size());
     if (expected.size() != found.size()) {
         row.different += std::max(expected.size(), found.size()) - 1;
-        row.differ([&] {
+        row.differ({}, [&] {
             return std::to_string(expected.size()) + " records, not " +
                    std::to_string(found.size());
         });
@@ -112,18 +112,18 @@ void compareRecords(const std::vector<Record>& expected, const std::vector<Recor
     }
     for (size_t i = 0; i < expected.size(); ++i) {
         const Record &a = expected[i], &b = found[i];
+        const Place pixel = Place::ofPixel((int) (i % (size_t) width), (int) (i / (size_t) width));
         const auto place = [&] {
-            return "pixel " + std::to_string(i % (size_t) width) + "," +
-                   std::to_string(i / (size_t) width) + ": ";
+            return "pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) + ": ";
         };
         if (!isFinite(channels, &b))
-            row.differ([&] { return place() + notFinite(channels, &b); });
+            row.differ(pixel, [&] { return place() + notFinite(channels, &b); });
         else if (std::memcmp(&a, &b, sizeof a) == 0 || allChannels(channels, &a, &b, sameValue))
             ++row.equal;
         else if (isAllowed(i))
             ++row.withinTolerance;
         else
-            row.differ([&] { return place() + differences(channels, &a, &b); });
+            row.differ(pixel, [&] { return place() + differences(channels, &a, &b); });
     }
 }
 

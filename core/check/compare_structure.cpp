@@ -75,7 +75,7 @@ void compareTriangles(const FrameGeometry& source, const FrameGeometry& tested, 
     const auto &a = source.triangles, &b = tested.triangles;
     row.compared = std::max(a.size(), b.size()) * 9;
     if (a.size() != b.size())
-        row.differ([&] {
+        row.differ({}, [&] {
             return std::to_string(a.size()) + " and " + std::to_string(b.size()) + " triangles";
         });
     for (size_t id = 0; id < std::min(a.size(), b.size()); ++id) {
@@ -85,7 +85,7 @@ void compareTriangles(const FrameGeometry& source, const FrameGeometry& tested, 
             if (x == y)
                 ++row.equal;
             else
-                row.differ([&] {
+                row.differ(Place::ofPrimitive((uint32_t) id), [&] {
                     return "triangle " + std::to_string(id) + ", vertex " + std::to_string(i / 3) +
                            ", " + "xyz"[i % 3] + ": " + hex(x) + ", not " + hex(y);
                 });
@@ -108,7 +108,7 @@ void compareLevel(const Grid& source, const Grid& tested, size_t level, int ulps
                 else if (off <= ulps)
                     ++row.withinTolerance;
                 else
-                    row.differ([&] {
+                    row.differ(Place::ofTile((int) view, x << level, y << level), [&] {
                         return "view " + std::to_string(view) + ", column " + std::to_string(x) +
                                ", row " + std::to_string(y) + ": " + hex(expected.near) + " to " +
                                hex(expected.far) + ", not " + hex(found.near) + " to " +
@@ -122,14 +122,17 @@ void compareLists(const FrameGeometry& geometry, const Grid& source, const Grid&
                   CheckRow& row) {
     const ListTolerance tolerance(geometry, source, ulps);
     for (size_t view = 0; view < source.views.size(); ++view)
-        for (size_t tile = 0; tile < (size_t) source.views[view].tiles(); ++tile)
+        for (size_t tile = 0; tile < (size_t) source.views[view].tiles(); ++tile) {
+            const int columns = source.views[view].columns;
+            const Place place =
+                Place::ofTile((int) view, (int) tile % columns, (int) tile / columns);
             for (int bin = 0; bin < source.settings.bins; ++bin) {
                 const auto one = [&](uint32_t id, const char* what) {
                     ++row.compared;
                     if (tolerance.allows(view, tile, bin, id))
                         ++row.withinTolerance;
                     else
-                        row.differ([&] {
+                        row.differ(place, [&] {
                             return tileName(source.views[view], view, tile) + ", bin " +
                                    std::to_string(bin) + ": " + what + " triangle " +
                                    std::to_string(id);
@@ -151,6 +154,7 @@ void compareLists(const FrameGeometry& geometry, const Grid& source, const Grid&
                     }
                 }
             }
+        }
 }
 
 void compareAtEye(const Grid& source, const Grid& tested, CheckRow& row) {
@@ -162,7 +166,8 @@ void compareAtEye(const Grid& source, const Grid& tested, CheckRow& row) {
     row.equal = common.size();
     row.compared = common.size() + different.size();
     for (uint32_t id : different)
-        row.differ([&] { return "only one lists triangle " + std::to_string(id); });
+        row.differ(Place::ofPrimitive(id),
+                   [&] { return "only one lists triangle " + std::to_string(id); });
 }
 
 void compareShadowMaps(const std::vector<float>& source, const std::vector<float>& tested,
@@ -177,7 +182,7 @@ void compareShadowMaps(const std::vector<float>& source, const std::vector<float
                      kRelativeErrorT * std::max(source[i], tested[i]))
             ++row.withinTolerance;
         else
-            row.differ([&] {
+            row.differ(Place::ofTexel((int) (i % resolution), (int) (i / resolution)), [&] {
                 const std::string texel = "texel " + std::to_string(i % resolution) + "," +
                                           std::to_string(i / resolution) + ": ";
                 return both ? texel + hex(source[i]) + ", not " + hex(tested[i])

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -102,17 +103,68 @@ TEST(Check, ShowsADifferenceAndHowToSeeItAgain) {
                   [&] { setenv("DIRT_SHADERS", shaders.c_str(), 1); });
     EXPECT_EQ(run.status, 1) << run.err;
     EXPECT_NE(run.err.find("lacks triangle 0"), run.err.npos) << run.err;
-    EXPECT_NE(run.err.find("again: dirt check " + scene +
+    EXPECT_NE(run.err.find("again: DIRT_SHADERS=" + shaders.string() + " dirt check " + scene +
                            " --backends cpu,gl --view full --size 64x64 --tile 16 --bins 16 "
                            "--traversal linear --eye 0,0,0 "),
               run.err.npos)
         << run.err;
     EXPECT_NE(run.err.find(" --primary raster --fetch direct --visibility traced "
-                           "--ray-type default --bounces 1 "
-                           "--seed 5\n"),
+                           "--bounces 1 --seed 5\n"),
               run.err.npos)
         << run.err;
-    EXPECT_EQ(run.out.find("\n0 wrong list entries"), run.out.npos) << run.out;
+    EXPECT_EQ(startDirt(saidCommand(run.err, "again: "),
+                        [&] { setenv("DIRT_SHADERS", shaders.c_str(), 1); })
+                  .err,
+              run.err);
+    // Each missing entry counts once, and in no row but that of FillPrimitives.
+    const size_t count = run.out.find(" wrong list entries");
+    ASSERT_NE(count, run.out.npos) << run.out;
+    const size_t line = run.out.rfind('\n', count) + 1;
+    const int wrong = std::stoi(run.out.substr(line, count - line));
+    EXPECT_GT(wrong, 0);
+    std::istringstream rows(run.out.substr(0, line));
+    for (std::string row; std::getline(rows, row);) {
+        const std::string last = row.substr(row.find_last_of(' ') + 1);
+        if (row.starts_with("pass")) continue;
+        EXPECT_EQ(last, row.starts_with("FillPrimitives     lists") ? std::to_string(wrong) : "0")
+            << row;
+    }
+    // The last line shows the first difference: an entry that is due and not listed.
+    EXPECT_EQ(run.err.find('\n', run.err.rfind("look: ")), run.err.size() - 1) << run.err;
+    const Outcome look = startDirt(saidCommand(run.err, "look: "),
+                                   [&] { setenv("DIRT_SHADERS", shaders.c_str(), 1); });
+    EXPECT_EQ(look.status, 1) << look.err << run.err;
+    EXPECT_NE(look.out.find("; LISTED IN"), look.out.npos) << look.out;
+}
+
+/// A path's difference ends with the command that explains its pixel.
+TEST(Check, ShowsThePixelThatDiffers) {
+    if (!hasGl()) GTEST_SKIP() << "there is no OpenGL";
+    const TemporaryFolder folder;
+    const std::filesystem::path shaders = folder.path() / "shaders";
+    std::filesystem::copy(DIRT_SOURCE_DIR "/shaders", shaders,
+                          std::filesystem::copy_options::recursive);
+    std::string source = readFile(shaders / "visibility.comp");
+    const size_t at = source.rfind('}');
+    ASSERT_NE(at, source.npos);
+    folder.write("shaders/visibility.comp",
+                 source.insert(at, "    if (firstPixel + i == 36u * 64u + 32u) "
+                                   "imageStore(visibility, int(firstPixel + i), uvec4(0u));\n"));
+    const auto broken = [&] { setenv("DIRT_SHADERS", shaders.c_str(), 1); };
+    const Outcome run = startDirt({"check", litTriangle(folder), "--size", "64x64", "--bounces",
+                                   "1", "--device", "0", "--materials", "demo"},
+                                  broken);
+    ASSERT_EQ(run.status, 1) << run.err;
+    const std::vector<std::string> look = saidCommand(run.err, "look: ");
+    ASSERT_GT(look.size(), 5u) << run.err;
+    EXPECT_EQ((std::vector<std::string>(look.begin() + 2, look.begin() + 8)),
+              (std::vector<std::string>{"--pixel", "32,36", "--event", "0", "--backend", "gl"}));
+    EXPECT_NE(run.err.find(" --materials demo\n"), run.err.npos) << run.err;
+    const Outcome shown = startDirt(look, broken);
+    EXPECT_EQ(shown.status, 1) << shown.err;
+    EXPECT_NE(shown.out.find("DIFFERENT: the backend says that the light does not reach"),
+              shown.out.npos)
+        << shown.out;
 }
 
 } // namespace

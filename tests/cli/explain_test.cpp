@@ -88,10 +88,40 @@ TEST_F(Explain, ListsATileAndAPrimitive) {
     EXPECT_NE(text.out.find(", 0 wrong\n"), std::string::npos) << text.out;
 }
 
+TEST_F(Explain, TellsOfARay) {
+    // The camera's ray, which hits the triangle 2 units away; the grid frame's scale is 1/2.
+    const Json hit = json({"--ray", "0,0,0,0,0,-1"});
+    EXPECT_EQ(hit["traced_hit"]["primitive"], 0);
+    EXPECT_EQ(hit["exact"]["primitives"], Json({0}));
+    EXPECT_EQ(hit["exact"]["t"], hit["traced_hit"]["t"]);
+    EXPECT_EQ(hit["ray"]["hit"]["primitive"], 0);
+    EXPECT_FALSE(hit["ray"]["views"].empty());
+    EXPECT_EQ(hit["disagreements"], Json::array());
+    const double t = hit["exact"]["t"].get<double>();
+    EXPECT_EQ(json({"--ray", "0,0,0,0,0,-1", "--max-t", std::to_string(t * 1.01)})["blocked"],
+              true);
+    EXPECT_EQ(json({"--ray", "0,0,0,0,0,-1", "--max-t", std::to_string(t * 0.99)})["blocked"],
+              false);
+    const Json skipped = json({"--ray", "0,0,0,0,0,-1", "--skip", "0"});
+    EXPECT_EQ(skipped["traced_hit"], Json());
+    EXPECT_EQ(skipped["exact"]["t"], Json());
+    const Outcome text = explain({"--ray=-0.5,0,0,0,0,-1"});
+    EXPECT_EQ(text.status, 0) << text.err;
+    for (const char* said : {"a ray of a, cpu\n", "  asked ray, grid frame: from (-0.5, 0, 0)",
+                             "\n  backend  ", "\n  exact    "})
+        EXPECT_NE(text.out.find(said), text.out.npos) << said << "\n" << text.out;
+}
+
 TEST_F(Explain, AsksForWhatThereIs) {
     EXPECT_EQ(error({}),
-              "dirt: explain: one of --pixel X,Y, --tile VIEW,X,Y and --primitive ID says "
+              "dirt: explain: one of --pixel X,Y, --tile VIEW,X,Y, --primitive ID and --ray says "
               "what\n");
+    EXPECT_EQ(error({"--primitive", "0", "--event", "1"}),
+              "dirt: --event: has no effect without --pixel\n");
+    EXPECT_EQ(error({"--pixel", "1,1", "--max-t", "1"}),
+              "dirt: --max-t: has no effect without --ray\n");
+    EXPECT_EQ(error({"--ray", "0,0,0,0,0"}),
+              "dirt: --ray: '0,0,0,0,0' is not six numbers OX,OY,OZ,DX,DY,DZ\n");
     EXPECT_EQ(error({"--pixel", "1,1", "--primitive", "0"}), error({}));
     EXPECT_EQ(error({"--pixel", "32,0"}), "dirt: --pixel 32,0: the image has 32x32 pixels\n");
     EXPECT_EQ(error({"--pixel", "3"}),

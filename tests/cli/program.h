@@ -6,6 +6,8 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -87,6 +89,16 @@ inline Outcome startDirt(const std::vector<std::string>& arguments) {
 template <typename Prepare>
 Outcome startDirt(const std::vector<std::string>& arguments, Prepare&& prepare) {
     return Process(DIRT_PROGRAM, arguments, prepare).wait();
+}
+
+/// The arguments of the last `dirt` command that a report says after \p label ("again: "), as one
+/// in a shell would give them; without what stands before "dirt". None of them needs quotes.
+inline std::vector<std::string> saidCommand(const std::string& report, const std::string& label) {
+    const size_t line = report.rfind(label);
+    const size_t at = line == report.npos ? line : report.find("dirt ", line);
+    if (at == report.npos) return {};
+    std::istringstream words(report.substr(at + 5, report.find('\n', at) - at - 5));
+    return {std::istream_iterator<std::string>(words), {}};
 }
 
 /// A triangle before a camera at the origin that looks along -Z.

@@ -3,9 +3,6 @@
 #include "core/verify/extremes.h"
 #include "tests/cli/program.h"
 
-#include <iterator>
-#include <sstream>
-
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
@@ -114,13 +111,37 @@ TEST_F(Verify, WrongAnswersCanBeRepeated) {
         ASSERT_EQ(run.status, 1) << "nothing is wrong: the test would prove nothing";
         const size_t at = run.err.find("  again: dirt ");
         ASSERT_NE(at, std::string::npos) << run.err;
-        std::istringstream line(run.err.substr(at + 14, run.err.find('\n', at) - at - 14));
-        const std::vector<std::string> again{std::istream_iterator<std::string>(line), {}};
-        std::vector<std::string> quietly = again;
-        quietly.push_back("--quiet");
-        const Outcome repeated = dirt::test::dirt(quietly);
+        std::vector<std::string> again = saidCommand(run.err.substr(0, at + 1000), "  again: ");
+        again.push_back("--quiet");
+        const Outcome repeated = dirt::test::dirt(again);
         EXPECT_EQ(repeated.status, 1);
         EXPECT_EQ(repeated.err.substr(0, at), run.err.substr(0, at));
+    }
+}
+
+/// The last line explains the first wrong answer: of Embree, and of the float test.
+TEST_F(Verify, EndsWithTheCommandThatShowsTheFirstWrongAnswer) {
+    std::string fan; // of thin triangles, which share edges
+    for (int i = 0; i <= 60; ++i) fan += "v " + std::to_string(0.03 * i) + " 1.3 -2\n";
+    fan += "v 0.1 -0.7 -2.1\n";
+    for (int i = 1; i <= 60; ++i)
+        fan += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " 62\n";
+    const std::string scene = folder_.write("fan.obj", fan);
+    for (const std::vector<std::string>& how :
+         {std::vector<std::string>{"--backend", "embree"}, {"--precision", "fast"}}) {
+        const Outcome run =
+            dirt::test::dirt({"verify", scene, "--eye", "0,0,0", "--target", "0,0,-1", "--rays",
+                              "20000", "--quiet", "--kinds", "edge,vertex", how[0], how[1]});
+        ASSERT_EQ(run.status, 1) << "nothing is wrong: the test would prove nothing";
+        const std::vector<std::string> look = saidCommand(run.err, "  look: ");
+        ASSERT_FALSE(look.empty()) << run.err;
+        EXPECT_EQ(run.err.find('\n', run.err.rfind("  look: ")), run.err.size() - 1);
+        const Outcome shown = dirt::test::dirt(look);
+        EXPECT_EQ(shown.status, 1) << shown.err;
+        const std::string grade = run.err.substr(0, run.err.find(':'));
+        EXPECT_NE(shown.out.find("DIFFERENT: exact arithmetic says: " + grade + "\n"),
+                  std::string::npos)
+            << shown.out << run.err;
     }
 }
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "app/cli/input.h"
+
+#include <string>
+
+namespace dirt {
+
+// Parts of the command lines that show again what a command has shown: whatever shapes it, said or
+// not, to be pasted into a shell. Options come with a blank before each.
+
+/// "dirt COMMAND SCENE", after what the environment changes ("DIRT_SHADERS=FOLDER ").
+std::string commandStart(const std::string& command, const std::string& scene);
+
+/// What makes the same structure of the same scene with the backends of \p options.
+std::string structureOptions(const Input& input, const CommonOptions& options);
+
+/// What makes the same paths through it, for commands that shade.
+std::string pathOptions(const Input& input, const CommonOptions& options);
+
+/// A point of \p scene as --eye and --target have it: X,Y,Z in the coordinates of its files.
+std::string pointOption(const Scene& scene, glm::vec3 point);
+
+} // namespace dirt

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/cli/input.h"
+#include "core/trace/ray.h"
+
+#include <optional>
+
+namespace dirt {
+
+/// A ray in the grid frame, of which the nearest hit is asked, or (with maxT) whether anything is
+/// hit before.
+struct AskedRay {
+    Ray ray;
+    std::optional<float> maxT;
+};
+
+/// Prints a ray's way through the grid of \p backend, what the backend says of it, and the truth.
+/// Holes are not looked at, as in `dirt verify`. 1 where one of the three differs from the others.
+int explainRay(const Input& input, Backend& backend, const AskedRay& asked, bool json);
+
+} // namespace dirt
