@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/dump/manifest.h"
 #include "core/frame/memory_plan.h"
+#include "core/frame/passes.h"
 #include "core/frame/renderer.h"
 #include "core/io/input_files.h"
 #include "core/io/output_file.h"
@@ -32,6 +33,7 @@ struct DumpOptions {
     std::vector<std::string> buffers; ///< empty: all
     std::string folder;
     std::optional<int> event; ///< none: all
+    uint32_t sample = 0;
     bool json = false;
 };
 
@@ -177,13 +179,14 @@ Json filesJson(const std::vector<DumpedFile>& files) {
 }
 
 /// What makes the numbers in the files mean something: the frame, the views and the channels.
-Json manifest(const Input& input, const Backend& backend, const Executor& executor,
-              const RenderResult& result, const std::vector<DumpedFile>& files) {
+Json manifest(const DumpOptions& options, const Input& input, const Backend& backend,
+              const Executor& executor, const RenderResult& result,
+              const std::vector<DumpedFile>& files) {
     Json json = reportOf(input, backend, executor, result.build);
     for (const char* key : {"passes", "build_ms", "memory", "threads", "spp"}) json.erase(key);
     const GridFrame frame = backend.readGeometry().frame;
     const Requirements need = requirementsOf(input.scene, input.settings, backend.rasterizes());
-    json["sample"] = 0;
+    json["sample"] = options.sample;
     json["fov"] = input.scene.camera.verticalFov;
     json["cut_outs"] = need.cutOuts;
     json["clamped"] = result.counts.clamped;
@@ -204,8 +207,8 @@ Json manifest(const Input& input, const Backend& backend, const Executor& execut
     return json;
 }
 
-void dumpStructure(const Backend& backend, const Selection& wanted, Dump& dump) {
-    const FrameGeometry geometry = backend.readGeometry();
+void dumpStructure(const Backend& backend, const FrameGeometry& geometry, const Selection& wanted,
+                   Dump& dump) {
     if (wanted.has("triangles")) dump.triangles(geometry);
     if (!backend.hasGrid()) return;
     const Grid grid = backend.readGrid();
@@ -213,12 +216,16 @@ void dumpStructure(const Backend& backend, const Selection& wanted, Dump& dump) 
     if (wanted.has("ids")) dump.ids(grid, geometry);
 }
 
-/// \p traced: whether the event had rays, which rasterized direct visibility has not.
-void dumpEvent(const PathBuffers& paths, int event, bool traced, const Selection& wanted,
-               Dump& dump) {
+/// What the backend has of one path event.
+void dumpEvent(const FrameContext& frame, Backend& backend, const PathBuffers& paths, int event,
+               const Selection& wanted, Dump& dump) {
+    // Rasterized direct visibility has no rays.
+    const bool traced = event > 0 || frame.requirements.tracedPrimary;
     if (traced && wanted.has("rays")) dump.rays(paths, event);
     if (traced && wanted.has("hits")) dump.hits(paths, event);
     if (event > 0 && wanted.has("mask")) dump.mask(paths, event);
+    if (wanted.has("shadowrays"))
+        dump.shadowRays(shadowRecordsOf(frame, backend, event, paths), event);
     if (wanted.has("visibility")) dump.visibility(paths, event);
     if (wanted.has("shading")) dump.shading(paths, event);
     if (wanted.has("image")) dump.image(paths, event);
@@ -246,9 +253,10 @@ int runDump(const DumpOptions& options) {
     Dump dump(options.folder, grid.width, grid.height,
               {{"dirt:scene", input.scene.name},
                {"dirt:backend", backend->name()},
-               {"dirt:seed", std::to_string(input.settings.seed)}});
-    const bool rasterPrimary =
-        !requirementsOf(input.scene, input.settings, backend->rasterizes()).tracedPrimary;
+               {"dirt:seed", std::to_string(input.settings.seed)},
+               {"dirt:sample", std::to_string(options.sample)}});
+    const Requirements need = requirementsOf(input.scene, input.settings, backend->rasterizes());
+    FrameGeometry geometry; // of the frame
     RenderHooks hooks;
     hooks.stop = interrupted;
     hooks.observe = [&](uint32_t, int event) {
@@ -256,15 +264,19 @@ int runDump(const DumpOptions& options) {
         if (event > 0 && !wantsEvent) return;
         const PathBuffers paths = backend->readPaths();
         if (event == 0) {
-            dumpStructure(*backend, wanted, dump);
+            geometry = backend->readGeometry();
+            dumpStructure(*backend, geometry, wanted, dump);
             if (wanted.has("shadowmap")) dump.shadowMap(backend->readShadowMap());
             if (wanted.has("direct")) dump.direct(paths);
         }
-        if (wantsEvent) dumpEvent(paths, event, event > 0 || !rasterPrimary, wanted, dump);
+        if (!wantsEvent) return;
+        const FrameContext frame(input.scene, geometry, input.settings, need);
+        dumpEvent(frame, *backend, paths, event, wanted, dump);
     };
     catchInterrupts();
     Renderer renderer(input.scene, input.settings, *backend);
     renderer.keepPreviousPoint();
+    renderer.beginAt(options.sample);
     const RenderResult result = renderer.render(hooks);
     if (result.samples == 0) {
         std::fprintf(stderr, "dirt: stopped; no manifest written\n");
@@ -273,7 +285,7 @@ int runDump(const DumpOptions& options) {
 
     noteClamped(result, options.common.quiet);
     const std::string text =
-        manifest(input, *backend, *executor, result, dump.files()).dump(2) + "\n";
+        manifest(options, input, *backend, *executor, result, dump.files()).dump(2) + "\n";
     writeFile(manifestOf(options.folder), text);
     if (options.json) std::fputs(text.c_str(), stdout);
     if (options.common.quiet) return 0;
@@ -287,7 +299,7 @@ int runDump(const DumpOptions& options) {
 
 void addDump(Command program, int& status) {
     const Command command = program.addCommand(
-        "dump", "writes the buffers of a frame's first sample as EXR, lists as text, too");
+        "dump", "writes the buffers of one sample of a frame as EXR, lists as text, too");
     const auto options = std::make_shared<DumpOptions>();
     addCommonOptions(command, options->common);
     command.addTexts("--buffers", options->buffers, "of " + Selection::list() + " (default: all)")
@@ -297,6 +309,8 @@ void addDump(Command program, int& status) {
         .required();
     addInteger(command, "--event", 0, 1023, "only this path event (default: all)",
                [options](int64_t k) { options->event = (int) k; });
+    addInteger(command, "--sample", 0, 0x7fffffff, "of the frame (default: 0)",
+               [options](int64_t n) { options->sample = (uint32_t) n; });
     command.addFlag("--json", options->json, "print the manifest on standard output");
     command.onRun([options, &status] { status = runDump(*options); });
 }

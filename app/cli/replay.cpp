@@ -142,9 +142,9 @@ bool runReplay(const ReplayOptions& options) {
     if (options.against) backend = makeBackend(*options.against, options.common, *executor);
     const ReplayInput input = readReplay(options.folder);
     for (const std::string& text : input.ignored) warn(options, text + ": has no effect");
-    if (input.manifest.cutOuts && !input.events.empty())
+    if (input.manifest.cutOuts && !(input.events.empty() && input.shadows.empty()))
         warn(options, "the scene has cut-outs or surfaces of one side, which no dump holds: hits "
-                      "are not judged");
+                      "and shadow rays are not judged");
     const std::vector<JudgedPass> passes = judgeDump(input, *executor);
     std::optional<Opponent> opponent;
     if (backend) opponent = Opponent{backend->name(), replayAgainst(input, *backend)};

@@ -1,5 +1,6 @@
 #include "core/dump/channels.h"
 
+#include "core/dump/shadow_rays.h"
 #include "core/grid/grid.h"
 #include "shaders/shared/layouts.h"
 
@@ -90,6 +91,27 @@ std::vector<ChannelInfo> rayChannels() {
                 "weight of what the ray finds");
 }
 
+std::vector<ChannelInfo> shadowRayChannels() {
+    return Table()
+        .vector("origin", offsetof(ShadowRecord, origin), kPixelOrder, kGrid, kLength,
+                "where it starts")
+        .word("skip", offsetof(ShadowRecord, skip),
+              "primitive it starts on and does not hit" + kNone)
+        .vector("direction", offsetof(ShadowRecord, direction), kPixelOrder, kGrid, "",
+                "where it goes; zero: none was cast")
+        .number("tMax", offsetof(ShadowRecord, tMax), "", "ray.direction",
+                "what is hit before it blocks the ray")
+        .word("occluded", offsetof(ShadowRecord, occluded),
+              "1: Visibility found something in between")
+        .word("blocker", offsetof(ShadowRecord, blocker),
+              "primitive that a search for the nearest hit finds in between" + kNone)
+        .number("t", offsetof(ShadowRecord, t), "", "ray.direction", "where the blocker is hit")
+        .word("view", offsetof(ShadowRecord, view),
+              "view of the tile in which it is hit; the number of views: the eye itself")
+        .word("column", offsetof(ShadowRecord, column), "of the tile")
+        .word("row", offsetof(ShadowRecord, row), "of the tile");
+}
+
 std::vector<ChannelInfo> hitChannels() {
     return Table()
         .word("primitive", offsetof(Hit, primitive), "primitive id of the nearest hit" + kNone)
@@ -128,8 +150,7 @@ std::vector<ChannelInfo> flagChannels(const std::string& name, const std::string
 }
 
 std::vector<ChannelInfo> radianceChannels() {
-    return Table().vector("", 0, kColorOrder, kColor, kRadiance,
-                          "what the first sample has gathered");
+    return Table().vector("", 0, kColorOrder, kColor, kRadiance, "what the sample has gathered");
 }
 
 std::vector<ChannelInfo> entryChannels() {

@@ -22,6 +22,7 @@ std::vector<ChannelInfo> triangleChannels();
 std::vector<ChannelInfo> depthChannels();
 std::vector<ChannelInfo> shadowMapChannels();
 std::vector<ChannelInfo> rayChannels();
+std::vector<ChannelInfo> shadowRayChannels(); ///< of ShadowRecord
 std::vector<ChannelInfo> hitChannels();
 std::vector<ChannelInfo> surfacePointChannels();
 /// A single value named \p name.

@@ -172,6 +172,11 @@ void Dump::mask(const PathBuffers& paths, int event) {
     flags("mask", event, paths.mask, flagChannels("alive", "1: the pixel's path goes on"));
 }
 
+void Dump::shadowRays(const std::vector<ShadowRecord>& rays, int event) {
+    if (rays.empty()) return;
+    writePixels("shadowrays", event, {{shadowRayChannels(), rays.data(), sizeof(ShadowRecord)}});
+}
+
 void Dump::visibility(const PathBuffers& paths, int event) {
     flags("visibility", event, paths.visibility,
           flagChannels("visible", "1: the light reaches the newest point and adds something"));

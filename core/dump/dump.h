@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/dump/channels.h"
+#include "core/dump/shadow_rays.h"
 #include "core/frame/path_buffers.h"
 #include "core/grid/grid.h"
 
@@ -42,6 +43,8 @@ public:
     void rays(const PathBuffers& paths, int event);
     void hits(const PathBuffers& paths, int event);
     void mask(const PathBuffers& paths, int event);
+    /// Writes nothing where there are none.
+    void shadowRays(const std::vector<ShadowRecord>& rays, int event);
     void visibility(const PathBuffers& paths, int event);
     /// G[k-1], G[k], G[k+1] as previous, current and next.
     void shading(const PathBuffers& paths, int event);

@@ -38,9 +38,9 @@ bool isDumpedFile(const Json& json) {
 } // namespace
 
 const std::vector<std::string>& dumpBuffers() {
-    static const std::vector<std::string> buffers{"triangles",  "depth",   "ids",  "shadowmap",
-                                                  "direct",     "rays",    "hits", "mask",
-                                                  "visibility", "shading", "image"};
+    static const std::vector<std::string> buffers{
+        "triangles", "depth", "ids",        "shadowmap",  "direct",  "rays",
+        "hits",      "mask",  "shadowrays", "visibility", "shading", "image"};
     return buffers;
 }
 

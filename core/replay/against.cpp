@@ -53,6 +53,37 @@ void compareStructure(const ReplayInput& input, const Backend& backend,
                      addRow("FillPrimitives", -1, "triangles at the eye", backend, rows));
 }
 
+void compareHits(const ReplayInput& input, const DumpedHits& event, Backend& backend,
+                 std::vector<CheckRow>& rows) {
+    PathBuffers built, dumped;
+    built.hits.resize(event.hits.size());
+    backend.intersect(event.rays, built.hits);
+    dumped.hits = event.hits;
+    for (size_t pixel = 0; pixel < event.rays.size(); ++pixel) {
+        const Ray& ray = event.rays[pixel];
+        built.rays.push_back({.origin = ray.origin, .skip = ray.skip, .direction = ray.direction});
+        if (!dumped.hits[pixel].found())
+            dumped.hits[pixel] = built.hits[pixel].found() ? Hit{} : built.hits[pixel];
+    }
+    const PathTolerance tolerance{false, event.filed && backend.hasGrid(), {}};
+    PathComparison(input.geometry, input.manifest.settings.width, tolerance)
+        .compare(PathBuffer::hits, built, dumped,
+                 addRow("Trace", event.event, "hit buffer", backend, rows));
+}
+
+void compareShadows(const ReplayInput& input, const DumpedShadows& event, Backend& backend,
+                    std::vector<CheckRow>& rows) {
+    PathBuffers built, dumped;
+    built.visibility.resize(event.rays.size());
+    backend.occluded(event.rays, event.tMax, built.visibility);
+    dumped.visibility = event.occluded;
+    for (std::vector<uint8_t>* flags : {&built.visibility, &dumped.visibility})
+        for (uint8_t& flag : *flags) flag = flag ? 0 : 1; // what is occluded is not visible
+    PathComparison(input.geometry, input.manifest.settings.width, {})
+        .compare(PathBuffer::visibility, built, dumped,
+                 addRow("Visibility", event.event, "shadow rays", backend, rows));
+}
+
 } // namespace
 
 std::vector<CheckRow> replayAgainst(const ReplayInput& input, Backend& backend) {
@@ -62,23 +93,8 @@ std::vector<CheckRow> replayAgainst(const ReplayInput& input, Backend& backend) 
     backend.build(input.geometry, dumpedCamera(manifest.fov), manifest.settings);
     std::vector<CheckRow> rows;
     if (input.grid && backend.hasGrid()) compareStructure(input, backend, rows);
-    for (const DumpedHits& event : input.events) {
-        PathBuffers built, dumped;
-        built.hits.resize(event.hits.size());
-        backend.intersect(event.rays, built.hits);
-        dumped.hits = event.hits;
-        for (size_t pixel = 0; pixel < event.rays.size(); ++pixel) {
-            const Ray& ray = event.rays[pixel];
-            built.rays.push_back(
-                {.origin = ray.origin, .skip = ray.skip, .direction = ray.direction});
-            if (!dumped.hits[pixel].found())
-                dumped.hits[pixel] = built.hits[pixel].found() ? Hit{} : built.hits[pixel];
-        }
-        const PathTolerance tolerance{false, event.filed && backend.hasGrid(), {}};
-        PathComparison(input.geometry, manifest.settings.width, tolerance)
-            .compare(PathBuffer::hits, built, dumped,
-                     addRow("Trace", event.event, "hit buffer", backend, rows));
-    }
+    for (const DumpedHits& event : input.events) compareHits(input, event, backend, rows);
+    for (const DumpedShadows& event : input.shadows) compareShadows(input, event, backend, rows);
     return rows;
 }
 

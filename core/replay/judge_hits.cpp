@@ -1,14 +1,12 @@
 #include "core/replay/judge_hits.h"
 
-#include "core/replay/dumped_view.h"
+#include "core/replay/judge_rays.h"
 #include "core/trace/intersect.h"
 #include "core/trace/traverse.h"
 #include "core/verify/exact.h"
-#include "core/verify/view_scope.h"
 #include "shaders/shared/margins.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace dirt {
 
@@ -18,12 +16,6 @@ constexpr size_t kGrain = 1024;
 
 std::string idText(uint32_t primitive) {
     return primitive == kNoPrimitive ? "nothing" : "triangle " + std::to_string(primitive);
-}
-
-std::string number(double x) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.9g", x);
-    return text;
 }
 
 /// How far the given weights are from the exact ones of the point where \p ray meets \p triangle.
@@ -40,17 +32,10 @@ double weightError(const Ray& ray, const Triangle& triangle, const ExactT& t, co
     return std::max(std::abs(u - hit.u), std::abs(v - hit.v));
 }
 
-/// The view that rays of single mode are limited to.
-std::optional<View> limitOf(const Manifest& manifest) {
-    if (manifest.settings.mode == ViewMode::full) return std::nullopt;
-    if (!manifest.views.empty()) return manifest.views.front();
-    return makeViews(manifest.settings, dumpedCamera(manifest.fov)).front();
-}
-
 class HitJudge {
 public:
     HitJudge(const ReplayInput& input, const DumpedHits& event, const Judge& judge)
-        : input_(input), event_(event), judge_(judge), scope_(limitOf(input.manifest)) {}
+        : input_(input), event_(event), judge_(judge), scope_(scopeOf(input.manifest)) {}
 
     void judge(uint32_t pixel, JudgedPass& found) const {
         const Ray ray = flushedRay(event_.rays[pixel]);
@@ -71,27 +56,26 @@ public:
         const Triangle& triangle = input_.geometry.triangles[hit.primitive];
         if (judgement.relativeTError > kFinality)
             return found.fault("wrong t", place(pixel, hit.primitive), [&] {
-                return pixelText(pixel) + ": t of triangle " + std::to_string(hit.primitive) +
-                       " is " + number(hit.t) + ", off by " + number(judgement.ulpTError) + " ulp";
+                return text(pixel) + ": t of triangle " + std::to_string(hit.primitive) + " is " +
+                       numberText(hit.t) + ", off by " + numberText(judgement.ulpTError) + " ulp";
             });
         const double off = weightError(ray, triangle, *intersectExactly(ray, triangle), hit);
         if (!(off <= kWeightError))
             return found.fault("wrong weights", place(pixel, hit.primitive), [&] {
-                return pixelText(pixel) + ": the weights of triangle " +
-                       std::to_string(hit.primitive) + " are off by " + number(off);
+                return text(pixel) + ": the weights of triangle " + std::to_string(hit.primitive) +
+                       " are off by " + numberText(off);
             });
-        if (event_.filed && input_.hasLists && !isListed(hit))
-            return found.fault("misfiled", place(pixel, hit.primitive),
-                               [&] { return misfiledText(pixel, hit); });
+        if (event_.filed && input_.hasLists && !isListed(input_, hit))
+            return found.fault("misfiled", place(pixel, hit.primitive), [&] {
+                return text(pixel) + ": the record of triangle " + std::to_string(hit.primitive) +
+                       " is " + misfiledText(input_, hit);
+            });
         ++found.right;
         found.largestTError = std::max(found.largestTError, judgement.ulpTError);
     }
 
 private:
-    std::string pixelText(uint32_t pixel) const {
-        const auto width = (uint32_t) input_.manifest.settings.width;
-        return "pixel " + std::to_string(pixel % width) + "," + std::to_string(pixel / width);
-    }
+    std::string text(uint32_t pixel) const { return pixelText(input_, pixel); }
     static ReplayPlace place(uint32_t pixel, uint32_t primitive) {
         ReplayPlace at;
         at.pixel = pixel;
@@ -111,33 +95,9 @@ private:
                            : grade == Grade::falseHit ? "false"
                                                       : "wrong primitive";
         found.fault(sort, place(pixel, truth.found() ? due : hit.primitive), [&] {
-            return pixelText(pixel) + " has " + idText(hit.primitive) + ", where its ray hits " +
-                   idText(due) + (truth.found() ? " at t " + number(truth.t) : "");
+            return text(pixel) + " has " + idText(hit.primitive) + ", where its ray hits " +
+                   idText(due) + (truth.found() ? " at t " + numberText(truth.t) : "");
         });
-    }
-
-    bool isListed(const Hit& hit) const {
-        const Grid& grid = *input_.grid;
-        if (hit.view == grid.views.size())
-            return std::binary_search(grid.atEye.begin(), grid.atEye.end(), hit.primitive);
-        for (int bin = 0; bin < grid.settings.bins; ++bin) {
-            const auto list = grid.list((int) hit.view, (int) hit.tile, bin);
-            if (std::binary_search(list.begin(), list.end(), hit.primitive)) return true;
-        }
-        return false;
-    }
-
-    std::string misfiledText(uint32_t pixel, const Hit& hit) const {
-        const Grid& grid = *input_.grid;
-        const std::string id = std::to_string(hit.primitive);
-        if (hit.view == grid.views.size())
-            return pixelText(pixel) + ": the record of triangle " + id +
-                   " is filed at the eye, which it does not hold";
-        const auto columns = (uint32_t) grid.views[hit.view].columns;
-        return pixelText(pixel) + ": the record of triangle " + id + " is filed in view " +
-               input_.manifest.viewNames[hit.view] + ", column " +
-               std::to_string(hit.tile % columns) + ", row " + std::to_string(hit.tile / columns) +
-               ", which does not list it";
     }
 
     const ReplayInput& input_;

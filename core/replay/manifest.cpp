@@ -31,7 +31,9 @@ const Names kKeys = {"view",      "tile",     "bins",        "size",   "exact", 
 const Names kViewKeys = {"name", "axes", "sign", "size", "tiles", "s", "t"};
 const Names kFileKeys = {"file", "buffer", "event", "parts", "channels"};
 
-const Names kRead = {"triangles", "depth", "ids", "rays", "hits"};
+const Names kRead = {"triangles", "depth", "ids", "rays", "hits", "shadowrays"};
+/// Those of them that each path event has.
+const Names kOfEvents = {"rays", "hits", "shadowrays"};
 /// Buffers of a dump that no judge needs.
 const Names kOtherBuffers = {"shadowmap", "direct", "mask", "visibility", "shading", "image"};
 
@@ -163,7 +165,7 @@ void readFiles(const JsonValue& root, const nlohmann::json& json,
         const nlohmann::json& raw = json["files"][i];
         if (raw.contains("event") && !raw["event"].is_null())
             file.event = (int) *object.integer("event", kMaxEvent);
-        const bool hasEvents = buffer == "rays" || buffer == "hits";
+        const bool hasEvents = isIn(kOfEvents, buffer);
         if (hasEvents != file.event.has_value())
             object.fail(hasEvents ? "has no event" : "has an event, of which there is none");
         manifest.files.push_back(std::move(file));

@@ -2,9 +2,11 @@
 
 #include "core/base/error.h"
 #include "core/replay/judge_hits.h"
+#include "core/replay/judge_shadows.h"
 #include "core/replay/judge_structure.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace dirt {
 
@@ -15,13 +17,21 @@ std::vector<JudgedPass> judgeDump(const ReplayInput& input, Executor& executor) 
     if (input.hasPyramid) passes.push_back(judgeFillDepthMipmap(input));
     if (input.hasLists) passes.push_back(judgeFillPrimitives(input, executor));
     if (manifest.atEye) passes.push_back(judgeAtEye(input));
-    if (input.events.empty() || manifest.cutOuts) return passes;
+    if ((input.events.empty() && input.shadows.empty()) || manifest.cutOuts) return passes;
     if (manifest.settings.mode == ViewMode::single && manifest.views.empty() && !manifest.fov)
         throw InputError(manifest.file.string() +
                          ": has neither view_frames nor fov, which say where single view ends");
     const Judge judge(input.geometry);
-    for (const DumpedHits& event : input.events)
+    auto shadows = input.shadows.begin();
+    const auto judgeShadowsBefore = [&](int event) {
+        for (; shadows != input.shadows.end() && shadows->event < event; ++shadows)
+            passes.push_back(judgeVisibility(input, *shadows, judge, executor));
+    };
+    for (const DumpedHits& event : input.events) {
+        judgeShadowsBefore(event.event);
         passes.push_back(judgeTrace(input, event, judge, executor));
+    }
+    judgeShadowsBefore(std::numeric_limits<int>::max());
     return passes;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace dirt {
 
@@ -71,27 +72,41 @@ void checkPixels(const Table& table, const GridSettings& settings) {
                    " pixels");
 }
 
+/// The columns of a ray; whoever reads more appends them.
+std::vector<Column> rayColumns() {
+    return {{"origin.X", Kind::number},    {"origin.Y", Kind::number},
+            {"origin.Z", Kind::number},    {"direction.X", Kind::number},
+            {"direction.Y", Kind::number}, {"direction.Z", Kind::number},
+            {"skip", Kind::optionalWord}};
+}
+
+uint32_t idAt(const Table& table, size_t row, size_t column, const char* name,
+              const ReplayInput& input) {
+    const uint32_t id = table.word(row, column);
+    if (id != kNoPrimitive && id >= input.geometry.triangles.size())
+        table.fail(row, std::string(name) + " is " + std::to_string(id) + ", where there are " +
+                            std::to_string(input.geometry.triangles.size()) + " triangles");
+    return id;
+}
+
+/// The ray of a row whose first columns are rayColumns.
+Ray rayAt(const Table& table, size_t row, const ReplayInput& input) {
+    Ray ray;
+    for (size_t i = 0; i < 3; ++i) {
+        ray.origin[(int) i] = table.number(row, i);
+        ray.direction[(int) i] = table.number(row, 3 + i);
+    }
+    if (table.has[6]) ray.skip = idAt(table, row, 6, "skip", input);
+    return ray;
+}
+
 std::vector<Ray> readRays(const ManifestFile& file, const ReplayInput& input,
                           std::vector<std::string>& ignored) {
-    const std::vector<Column> columns = {
-        {"origin.X", Kind::number},    {"origin.Y", Kind::number},    {"origin.Z", Kind::number},
-        {"direction.X", Kind::number}, {"direction.Y", Kind::number}, {"direction.Z", Kind::number},
-        {"skip", Kind::optionalWord}};
-    const Table table =
-        readOne(file, columns, {"pdf", "throughput.R", "throughput.G", "throughput.B"}, ignored);
+    const Table table = readOne(file, rayColumns(),
+                                {"pdf", "throughput.R", "throughput.G", "throughput.B"}, ignored);
     checkPixels(table, input.manifest.settings);
     std::vector<Ray> rays(table.rows);
-    for (size_t row = 0; row < table.rows; ++row) {
-        Ray& ray = rays[row];
-        for (size_t i = 0; i < 3; ++i) {
-            ray.origin[(int) i] = table.number(row, i);
-            ray.direction[(int) i] = table.number(row, 3 + i);
-        }
-        if (table.has[6]) ray.skip = table.word(row, 6);
-        if (ray.skip != kNoPrimitive && ray.skip >= input.geometry.triangles.size())
-            table.fail(row, "skip is " + std::to_string(ray.skip) + ", where there are " +
-                                std::to_string(input.geometry.triangles.size()) + " triangles");
-    }
+    for (size_t row = 0; row < table.rows; ++row) rays[row] = rayAt(table, row, input);
     return rays;
 }
 
@@ -117,18 +132,67 @@ void readHits(const ManifestFile& file, const ReplayInput& input, DumpedHits& ev
     event.hits.resize(table.rows);
     for (size_t row = 0; row < table.rows; ++row) {
         Hit& hit = event.hits[row];
-        hit.primitive = table.word(row, 0);
+        hit.primitive = idAt(table, row, 0, "primitive", input);
         hit.t = table.number(row, 1);
         hit.u = table.number(row, 2);
         hit.v = table.number(row, 3);
         hit.view = table.word(row, 4);
         hit.tile = table.word(row, 5);
-        if (!hit.found()) continue;
-        if (hit.primitive >= input.geometry.triangles.size())
-            table.fail(row, "primitive is " + std::to_string(hit.primitive) + ", where there are " +
-                                std::to_string(input.geometry.triangles.size()) + " triangles");
-        if (event.filed) checkTile(table, row, hit, input.manifest.views);
+        if (hit.found() && event.filed) checkTile(table, row, hit, input.manifest.views);
     }
+}
+
+/// A tile's column or row, which has to be below \p count.
+uint32_t placeAt(const Table& table, size_t row, size_t column, const char* name, int count) {
+    const uint32_t place = table.word(row, column);
+    if (place >= (uint32_t) count)
+        table.fail(row, std::string(name) + " is " + std::to_string(place) + ", where there are " +
+                            std::to_string(count));
+    return place;
+}
+
+/// The view and tile of a blocker from three columns, of which \p first is the view's.
+void readPlace(const Table& table, size_t row, size_t first, const std::vector<View>& views,
+               Hit& blocker) {
+    blocker.view = table.word(row, first);
+    checkTile(table, row, blocker, views);
+    if (blocker.view == views.size()) return; // at the eye
+    const View& view = views[blocker.view];
+    const uint32_t column = placeAt(table, row, first + 1, "column", view.columns);
+    blocker.tile =
+        placeAt(table, row, first + 2, "row", view.rows) * (uint32_t) view.columns + column;
+}
+
+DumpedShadows readShadows(const ManifestFile& file, const ReplayInput& input,
+                          std::vector<std::string>& ignored) {
+    std::vector<Column> columns = rayColumns();
+    const size_t tMax = columns.size(), occluded = tMax + 1, blocker = tMax + 2, view = tMax + 3;
+    columns.push_back({"tMax", Kind::number});
+    columns.push_back({"occluded", Kind::word});
+    for (const char* name : {"blocker", "view", "column", "row"})
+        columns.push_back({name, Kind::optionalWord});
+    const Table table = readOne(file, columns, {"t"}, ignored);
+    checkPixels(table, input.manifest.settings);
+    if (table.has[view] != table.has[view + 1] || table.has[view] != table.has[view + 2])
+        table.fail("has some of the columns view, column and row");
+    DumpedShadows shadows;
+    shadows.event = *file.event;
+    shadows.named = table.has[blocker];
+    shadows.filed = shadows.named && table.has[view] && !input.manifest.views.empty();
+    shadows.blockers.resize(table.rows);
+    for (size_t row = 0; row < table.rows; ++row) {
+        shadows.rays.push_back(rayAt(table, row, input));
+        shadows.tMax.push_back(table.number(row, tMax));
+        const uint32_t answer = table.word(row, occluded);
+        if (answer > 1) table.fail(row, "occluded is " + std::to_string(answer) + ", not 0 or 1");
+        shadows.occluded.push_back((uint8_t) answer);
+        if (!shadows.named) continue;
+        Hit& found = shadows.blockers[row];
+        found.primitive = idAt(table, row, blocker, "blocker", input);
+        if (found.found() && shadows.filed)
+            readPlace(table, row, view, input.manifest.views, found);
+    }
+    return shadows;
 }
 
 /// The file of a buffer (and event); null where there is none. Of ids the text, which a dump has
@@ -148,26 +212,30 @@ const ManifestFile* find(const Manifest& manifest, const std::string& buffer,
     return found;
 }
 
+/// Rays and hits of an event, which may have neither.
+void readHitsOf(int event, ReplayInput& input) {
+    const ManifestFile* rays = find(input.manifest, "rays", event);
+    const ManifestFile* hits = find(input.manifest, "hits", event);
+    if (hits && !rays)
+        failAt(input.manifest.file, 0,
+               "has hits of event " + std::to_string(event) + ", and no rays");
+    if (rays && !hits)
+        input.ignored.push_back(rays->file.filename().string() + ": rays without hits");
+    if (!rays || !hits) return;
+    DumpedHits& dumped = input.events.emplace_back();
+    dumped.event = event;
+    dumped.rays = readRays(*rays, input, input.ignored);
+    readHits(*hits, input, dumped, input.ignored);
+}
+
 void readEvents(ReplayInput& input) {
-    std::vector<int> events;
+    std::set<int> events;
     for (const ManifestFile& file : input.manifest.files)
-        if (file.event) events.push_back(*file.event);
-    std::sort(events.begin(), events.end());
-    events.erase(std::unique(events.begin(), events.end()), events.end());
+        if (file.event) events.insert(*file.event);
     for (const int event : events) {
-        const ManifestFile* rays = find(input.manifest, "rays", event);
-        const ManifestFile* hits = find(input.manifest, "hits", event);
-        if (!rays)
-            failAt(input.manifest.file, 0,
-                   "has hits of event " + std::to_string(event) + ", and no rays");
-        if (!hits) {
-            input.ignored.push_back(rays->file.filename().string() + ": rays without hits");
-            continue;
-        }
-        DumpedHits& dumped = input.events.emplace_back();
-        dumped.event = event;
-        dumped.rays = readRays(*rays, input, input.ignored);
-        readHits(*hits, input, dumped, input.ignored);
+        readHitsOf(event, input);
+        if (const ManifestFile* shadows = find(input.manifest, "shadowrays", event))
+            input.shadows.push_back(readShadows(*shadows, input, input.ignored));
     }
 }
 

@@ -25,6 +25,19 @@ struct DumpedHits {
     bool filed = false; ///< the hits say which tile lists them
 };
 
+/// Shadow rays of a path event, one a pixel, and what Visibility answered.
+struct DumpedShadows {
+    int event = 0;
+    std::vector<Ray> rays;
+    std::vector<float> tMax;       ///< what is hit before blocks a ray
+    std::vector<uint8_t> occluded; ///< 1: something is in between
+    /// What is, where the dump says so: of each occluded ray a primitive, of others none. Its t is
+    /// not read.
+    std::vector<Hit> blockers;
+    bool named = false; ///< it says so
+    bool filed = false; ///< and which tile lists the blocker
+};
+
 /// A dump: its buffers, checked for what would make them no buffers at all, and not judged.
 struct ReplayInput {
     Manifest manifest;
@@ -36,6 +49,7 @@ struct ReplayInput {
     std::optional<Grid> grid;
     std::vector<DumpedEntry> entries; ///< as dumped, sorted
     std::vector<DumpedHits> events;   ///< in the order of events
+    std::vector<DumpedShadows> shadows;
     std::vector<std::string> ignored; ///< what the dump holds and has no effect, each once
 };
 

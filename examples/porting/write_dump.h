@@ -24,6 +24,8 @@ struct Engine {
     std::array<std::vector<Tile>, 6> views;      ///< row-major
     std::vector<std::array<float, 6>> rays;      ///< origin and direction, one a pixel
     std::vector<Hit> hits;
+    std::vector<std::array<float, 7>> shadowRays; ///< origin, direction, and t of the light
+    std::vector<bool> occluded;                   ///< of each
 };
 
 //! write
@@ -57,5 +59,11 @@ inline void writeDump(const Engine& engine, const std::string& folder) {
     for (const auto& ray : engine.rays) std::apply([&](auto... x) { line(rays, x...); }, ray);
     auto hits = open("hits.1.csv", "primitive,t,u,v");
     for (const Engine::Hit& hit : engine.hits) line(hits, hit.triangle, hit.t, hit.u, hit.v);
+    auto shadows =
+        open("shadowrays.1.csv",
+             "origin.X,origin.Y,origin.Z,direction.X,direction.Y,direction.Z,tMax,occluded");
+    for (size_t i = 0; i < engine.shadowRays.size(); ++i)
+        std::apply([&](auto... x) { line(shadows, x..., (bool) engine.occluded[i]); },
+                   engine.shadowRays[i]);
 }
 //! end

@@ -3,6 +3,8 @@
 
 #include "tests/cli/program.h"
 
+#include <algorithm>
+#include <bit>
 #include <map>
 #include <set>
 
@@ -71,9 +73,9 @@ TEST(DumpCommand, TheManifestDescribesTheFiles) {
         EXPECT_FALSE(input->seek_subimage((int) file["parts"].size(), 0)) << name;
     }
     EXPECT_EQ(filesIn(to), named);
-    for (const char* name :
-         {"triangles.exr", "depth.exr", "ids.exr", "ids.csv", "direct.exr", "rays.0.exr",
-          "hits.2.exr", "mask.1.exr", "visibility.0.exr", "shading.2.exr", "image.2.exr"})
+    for (const char* name : {"triangles.exr", "depth.exr", "ids.exr", "ids.csv", "direct.exr",
+                             "rays.0.exr", "hits.2.exr", "mask.1.exr", "visibility.0.exr",
+                             "shadowrays.2.exr", "shading.2.exr", "image.2.exr"})
         EXPECT_TRUE(named.contains(name)) << name;
     EXPECT_EQ(manifest["view_frames"].size(), 6u);
     EXPECT_EQ(manifest["fov"], 45.0);
@@ -92,8 +94,81 @@ TEST(DumpCommand, WritesWhatIsAskedFor) {
     ASSERT_EQ(dirt(dumpOf(folder, folder / "c", {"--view", "single", "--bounces", "1"})).status, 0);
     EXPECT_EQ(filesIn(folder / "c"),
               (std::set<std::string>{"triangles.exr", "depth.exr", "ids.exr", "ids.csv",
-                                     "direct.exr", "visibility.0.exr", "shading.0.exr",
-                                     "image.0.exr", "manifest.json"}));
+                                     "direct.exr", "shadowrays.0.exr", "visibility.0.exr",
+                                     "shading.0.exr", "image.0.exr", "manifest.json"}));
+}
+
+/// The channels of a file, by name.
+std::map<std::string, std::vector<uint32_t>> channelsOf(const std::string& file) {
+    std::map<std::string, std::vector<uint32_t>> values;
+    const auto input = OIIO::ImageInput::open(file);
+    EXPECT_TRUE(input) << file;
+    if (!input) return values;
+    const OIIO::ImageSpec& spec = input->spec();
+    for (int c = 0; c < spec.nchannels; ++c) {
+        auto& channel = values[spec.channelnames[c]];
+        channel.resize((size_t) spec.width * (size_t) spec.height);
+        EXPECT_TRUE(input->read_image(0, 0, c, c + 1, spec.channelformat(c), channel.data()));
+    }
+    return values;
+}
+
+TEST(DumpCommand, TheSamplesAreThoseOfARender) {
+    const TemporaryFolder folder;
+    const std::string scene = DIRT_SOURCE_DIR "/scenes/cornell.scene";
+    const auto run = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin() + 1, {scene, "--quiet", "--size", "32x24"});
+        EXPECT_EQ(dirt(arguments).status, 0);
+    };
+    run({"render", "--spp", "3", "-o", folder / "three.exr"});
+    std::vector<float> sum(32 * 24, 0.0f);
+    std::set<std::vector<uint32_t>> different;
+    for (const char* sample : {"0", "1", "2"}) {
+        const std::string to = folder / sample;
+        run({"dump", "--buffers", "image,rays", "--sample", sample, "-o", to});
+        EXPECT_EQ(json::parse(readFile(to + "/manifest.json"))["sample"].dump(), sample);
+        const auto green = channelsOf(to + "/image.2.exr").at("G");
+        for (size_t i = 0; i < sum.size(); ++i) sum[i] += std::bit_cast<float>(green[i]);
+        different.insert(green);
+    }
+    EXPECT_EQ(different.size(), 3u);
+    const auto mean = channelsOf(folder / "three.exr").at("G");
+    for (size_t i = 0; i < sum.size(); ++i)
+        EXPECT_EQ(sum[i] * (1.0f / 3.0f), std::bit_cast<float>(mean[i])) << i;
+}
+
+TEST(DumpCommand, TheBackendsHaveTheSameShadowRays) {
+    const TemporaryFolder folder;
+    const std::string scene = DIRT_SOURCE_DIR "/scenes/cornell.scene";
+    std::map<std::string, std::map<std::string, std::vector<uint32_t>>> found;
+    for (const char* backend : {"cpu", "gl", "embree"}) {
+        std::vector<std::string> arguments = {
+            "dump",      scene,    "--quiet",   "--size",     "48x32", "--backend",     backend,
+            "--primary", "traced", "--buffers", "shadowrays", "-o",    folder / backend};
+        if (backend != std::string("embree"))
+            arguments.insert(arguments.end(), {"--tile", "8", "--bins", "6"});
+        const Outcome run = dirt(arguments);
+        if (run.status == 3) continue; // there is none
+        ASSERT_EQ(run.status, 0) << run.err;
+        for (const char* event : {"0", "1", "2"})
+            for (auto& [name, values] :
+                 channelsOf(folder / backend + "/shadowrays." + event + ".exr"))
+                found[backend][name + " " + event] = std::move(values);
+    }
+    const auto& cpu = found["cpu"];
+    ASSERT_EQ(cpu.size(), 3u * 14u);
+    const auto& occluded = cpu.at("occluded 0");
+    EXPECT_GT(std::count(occluded.begin(), occluded.end(), 1u), 50);
+    EXPECT_GT(std::count(occluded.begin(), occluded.end(), 0u), 50);
+    for (const auto& [backend, channels] : found)
+        for (const auto& [name, values] : channels) {
+            const bool isPlace =
+                name.starts_with("view") || name.starts_with("column") || name.starts_with("row");
+            if (isPlace && backend == "embree") // which has no tiles
+                EXPECT_EQ(values, std::vector<uint32_t>(values.size(), 0)) << name;
+            else
+                EXPECT_EQ(values, cpu.at(name)) << backend << " " << name;
+        }
 }
 
 TEST(DumpCommand, ReplacesAnEarlierDump) {
@@ -194,19 +269,7 @@ TEST(DumpCommand, EmbreeHasNoGridButTheSameHits) {
                   0);
     EXPECT_TRUE(filesIn(folder / "cpu").contains("ids.exr"));
     EXPECT_FALSE(filesIn(folder / "embree").contains("ids.exr"));
-    // Each channel of a file, by name.
-    const auto channels = [&](const std::string& file) {
-        std::map<std::string, std::vector<uint32_t>> values;
-        const auto input = OIIO::ImageInput::open(folder / file);
-        EXPECT_TRUE(input) << file;
-        for (int c = 0; input && c < input->spec().nchannels; ++c) {
-            auto& channel = values[input->spec().channelnames[c]];
-            channel.resize(48 * 32);
-            EXPECT_TRUE(
-                input->read_image(0, 0, c, c + 1, input->spec().channelformat(c), channel.data()));
-        }
-        return values;
-    };
+    const auto channels = [&](const std::string& file) { return channelsOf(folder / file); };
     for (const char* file : {"shading.0.exr", "rays.1.exr", "hits.1.exr", "shading.2.exr"}) {
         auto ours = channels(std::string("cpu/") + file);
         auto theirs = channels(std::string("embree/") + file);

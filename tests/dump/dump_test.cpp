@@ -127,6 +127,7 @@ TEST(DumpChannels, NameEveryByte) {
     expectAllBytes(triangleChannels(), sizeof(Triangle), 0);
     expectAllBytes(depthChannels(), sizeof(DepthBounds), 0);
     expectAllBytes(rayChannels(), sizeof(PathRay), 1);
+    expectAllBytes(shadowRayChannels(), sizeof(ShadowRecord), 0);
     expectAllBytes(hitChannels(), sizeof(Hit), 0);
     expectAllBytes(surfacePointChannels(), sizeof(SurfacePoint), 0);
     expectAllBytes(entryChannels(), sizeof(ListEntry), 0);
@@ -160,6 +161,12 @@ TEST_P(DumpTest, HoldsTheBitsOfEveryBuffer) {
         dump.mask(paths, k);
         expectRecords(read("mask" + end)["mask"], flagChannels("alive", ""),
                       std::vector<uint32_t>(paths.mask.begin(), paths.mask.end()));
+        const FrameGeometry geometry = backend_.readGeometry();
+        const FrameContext frame(scene_, geometry, settings_,
+                                 requirementsOf(scene_, settings_, backend_.rasterizes()));
+        const std::vector<ShadowRecord> shadows = shadowRecordsOf(frame, backend_, k, paths);
+        dump.shadowRays(shadows, k);
+        expectRecords(read("shadowrays" + end)["shadowrays"], shadowRayChannels(), shadows);
         dump.visibility(paths, k);
         expectRecords(read("visibility" + end)["visibility"], flagChannels("visible", ""),
                       std::vector<uint32_t>(paths.visibility.begin(), paths.visibility.end()));
@@ -168,7 +175,7 @@ TEST_P(DumpTest, HoldsTheBitsOfEveryBuffer) {
     renderer.keepPreviousPoint();
     renderer.render(hooks);
     EXPECT_EQ(events, 3);
-    EXPECT_EQ(dump.files().size(), 1u + 3u * 6u);
+    EXPECT_EQ(dump.files().size(), 1u + 3u * 7u);
 }
 
 TEST_P(DumpTest, HoldsTheStructure) {

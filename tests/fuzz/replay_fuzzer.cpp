@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::string_view kFile = "=== ";
 /// A dump has no others; what an input names besides is left out.
-constexpr std::array<std::string_view, 7> kNames = {"manifest.json", "triangles.csv", "depth.csv",
-                                                    "ids.csv",       "rays.1.csv",    "hits.1.csv",
-                                                    "shadow.1.csv"};
+constexpr std::array<std::string_view, 7> kNames = {
+    "manifest.json", "triangles.csv", "depth.csv",       "ids.csv",
+    "rays.1.csv",    "hits.1.csv",    "shadowrays.1.csv"};
 
 /// A folder in memory, of this process.
 const std::filesystem::path& folder() {

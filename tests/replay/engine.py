@@ -229,3 +229,25 @@ def record(found):
         return [NONE, 0.0, 0.0, 0.0]
     number, t, u, v = found
     return [number, single(t), single(u), single(v)]
+
+
+LIGHT = [single(x) for x in (0.15, 0.2, 0.1)]
+
+
+def make_shadow_rays():
+    """From random places to the light, which is at t = 1; of every eighth pixel none."""
+    draw = random.Random(5)
+    rays = []
+    for pixel in range(WIDTH * HEIGHT):
+        origin = [single(draw.uniform(-1.2, 1.2)) for _ in range(3)]
+        direction = [single(p - o) for p, o in zip(LIGHT, origin)] if pixel % 8 else [0.0] * 3
+        rays.append(([Fraction(x) for x in origin], [Fraction(x) for x in direction]))
+    return rays
+
+
+def blockers(ray, triangles):
+    """The ids of all that is hit before t = 1, nearest first."""
+    hits = [(meet(ray, t), i) for i, t in enumerate(triangles)]
+    hits = sorted((hit[0], i) for hit, i in hits if hit)
+    assert all(abs(t - 1) > Fraction(1, 10000) for t, _ in hits)  # not as rounding decides
+    return [i for t, i in hits if t < 1]

@@ -1,6 +1,8 @@
 // What `dirt dump` writes of each backend, read back from EXR files and judged: all is right, and
 // equal to what the other backends make of it. And what cannot be read ends in one line.
 
+#include "core/io/exr_parts.h"
+#include "core/io/read_exr_parts.h"
 #include "core/trace/traverse.h"
 #include "examples/porting/write_dump.h"
 #include "tests/cli/program.h"
@@ -32,9 +34,10 @@ protected:
     bool dump(std::vector<std::string> options = {}) {
         folder_.write("a.obj", kRoomObj);
         const std::string scene = folder_.write(
-            "a.scene", "<world background=\"1 1 1\"><object file=\"a.obj\"/>"
-                       "<light type=\"spotlight\" position=\"0 1 0\" target=\"0 0 -2\" flux=\"5\"/>"
-                       "<user position=\"0 0 0\" lookat=\"0 0 -1\"/></world>");
+            "a.scene",
+            "<world background=\"1 1 1\"><object file=\"a.obj\"/>"
+            "<light type=\"spotlight\" position=\"0.8 0.2 -0.3\" target=\"0 0 -2\" flux=\"5\"/>"
+            "<user position=\"0 0 0\" lookat=\"0 0 -1\"/></world>");
         options.insert(options.begin(),
                        {"dump", scene, "--quiet", "--size", "40x28", "--view", view(), "--backend",
                         backend(), "--primary", "traced", "-o", folder_ / "dump"});
@@ -59,8 +62,12 @@ TEST_P(OwnDumps, AreRight) {
     if (!dump()) GTEST_SKIP() << "no backend " << backend();
     const Json json = replay({"--against", "cpu"});
     const bool hasGrid = backend() != "embree";
-    // Depth, pyramid, lists, the eye; and three events.
-    ASSERT_EQ(json["passes"].size(), hasGrid ? 7u : 3u);
+    // Depth, pyramid, lists, the eye; and three events of hits and shadow rays.
+    ASSERT_EQ(json["passes"].size(), hasGrid ? 10u : 6u);
+    for (const char* buffer : {"hit buffer", "shadow rays"})
+        EXPECT_EQ(std::count_if(json["passes"].begin(), json["passes"].end(),
+                                [&](const Json& pass) { return pass["buffer"] == buffer; }),
+                  3);
     for (const Json& pass : json["passes"]) {
         EXPECT_EQ(pass["compared"], pass["right"]) << pass;
         EXPECT_GT(pass["compared"].get<uint64_t>() + pass["outside"].get<uint64_t>(), 0u) << pass;
@@ -133,10 +140,40 @@ TEST_P(ReplayedFiles, OfASceneWithCutOutsAreNotJudgedByTheirHits) {
     const Outcome run = dirt({"replay", folder_ / "dump"});
     EXPECT_EQ(run.status, 0);
     EXPECT_EQ(run.out.find("Trace"), std::string::npos);
-    EXPECT_NE(run.err.find("hits are not judged"), std::string::npos) << run.err;
+    EXPECT_EQ(run.out.find("Visibility"), std::string::npos);
+    EXPECT_NE(run.err.find("hits and shadow rays are not judged"), std::string::npos) << run.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(Cpu, ReplayedFiles, testing::Values(std::pair("cpu", "full")));
+
+TEST_P(ReplayedFiles, OfAVisibilityThatForgetsAShadowNameItsPixel) {
+    ASSERT_TRUE(dump({"--bounces", "1"}));
+    std::vector<ExrPart> parts = readExrParts(folder_ / "dump/shadowrays.0.exr");
+    ASSERT_EQ(parts.size(), 1u);
+    ExrPart& part = parts.front();
+    const auto channel = [&](const char* name) {
+        for (size_t c = 0; c < part.channels.size(); ++c)
+            if (part.channels[c].name == name) return c;
+        return part.channels.size();
+    };
+    size_t pixel = 0;
+    const auto value = [&](const char* name) -> uint32_t& {
+        return part.values[pixel * part.channels.size() + channel(name)];
+    };
+    while (value("occluded") == 0) ++pixel;
+    const uint32_t blocker = value("blocker");
+    EXPECT_LT(blocker, 8u);
+    value("occluded") = 0;
+    writeExr(folder_ / "dump/shadowrays.0.exr", parts, {});
+    const Json json = replay({}, 1);
+    EXPECT_EQ(json["verdict"], "Visibility 0 is the first pass that is wrong: pixel " +
+                                   std::to_string(pixel % 40) + "," + std::to_string(pixel / 40) +
+                                   " is not occluded, where triangle " + std::to_string(blocker) +
+                                   " is between it and the light, at t " +
+                                   json["verdict"].get<std::string>().substr(
+                                       json["verdict"].get<std::string>().rfind(' ') + 1));
+    EXPECT_EQ(json["passes"].back()["faults"], Json({{"missed occlusion", 1}}));
+}
 
 /// An engine that has what core makes of two triangles and four rays.
 Engine exampleEngine(const GridSettings& settings) {
@@ -164,6 +201,11 @@ Engine exampleEngine(const GridSettings& settings) {
         engine.rays.push_back({ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x,
                                ray.direction.y, ray.direction.z});
         engine.hits.push_back({hit.primitive, hit.t, hit.u, hit.v});
+        const Ray shadow{{0.9f, -0.1f * (float) i, 0.0f}, {-1.0f, 0.2f, 0.5f * (float) (i % 3)}};
+        engine.shadowRays.push_back({shadow.origin.x, shadow.origin.y, shadow.origin.z,
+                                     shadow.direction.x, shadow.direction.y, shadow.direction.z,
+                                     1.0f});
+        engine.occluded.push_back(anyHit(grid, geometry, shadow, 1.0f));
     }
     return engine;
 }

@@ -79,7 +79,7 @@ TEST_F(Replay, TheRightDumpIsRight) {
     const Json json = replay(dump("right"), 0);
     EXPECT_TRUE(json["first_wrong"].is_null());
     EXPECT_EQ(json["verdict"], "all is right");
-    ASSERT_EQ(json["passes"].size(), 5u);
+    ASSERT_EQ(json["passes"].size(), 6u);
     for (const Json& pass : json["passes"]) {
         EXPECT_EQ(pass["compared"], pass["right"]);
         const bool isAtEye = pass["buffer"] == "triangles at the eye";
@@ -89,15 +89,17 @@ TEST_F(Replay, TheRightDumpIsRight) {
 
 TEST_F(Replay, EachFaultIsNamedInItsPassAndPlace) {
     const Json faults = Json::parse(readFile(dump("faults.json")));
-    ASSERT_EQ(faults.size(), 14u);
+    ASSERT_EQ(faults.size(), 17u);
     for (const auto& [name, expected] : faults.items()) {
         if (expected.is_null()) continue;
         SCOPED_TRACE(name);
         const Json json = replay(dump(name), 1);
         EXPECT_EQ(json["first_wrong"], expected["pass"]);
         for (const Json& pass : json["passes"]) {
-            const bool isTrace = pass["pass"] == "Trace";
-            EXPECT_EQ(pass["inherited"], isTrace ? expected.value("inherited", 0) : 0);
+            const char* inherited = pass["pass"] == "Trace"        ? "inherited"
+                                    : pass["pass"] == "Visibility" ? "inherited_shadows"
+                                                                   : "";
+            EXPECT_EQ(pass["inherited"], expected.value(inherited, 0)) << pass;
             if (nameOf(pass) != expected["pass"] || pass["buffer"] == "triangles at the eye") {
                 EXPECT_EQ(pass["wrong"], 0u) << pass;
                 continue;
@@ -127,6 +129,9 @@ TEST_F(Replay, TheLastLineSaysItInWords) {
     EXPECT_EQ(lastLine(dump("wrong-primitive"))
                   .find("Trace 1 is the first pass that is wrong: pixel 3,0 has triangle "),
               0u);
+    EXPECT_NE(lastLine(dump("missed-occlusion"))
+                  .find("Visibility 1 is the first pass that is wrong: pixel "),
+              std::string::npos);
 }
 
 TEST_F(Replay, EntriesTwiceAndTilesThatDoNotListTheHitAreFaults) {
@@ -158,6 +163,62 @@ TEST_F(Replay, EntriesTwiceAndTilesThatDoNotListTheHitAreFaults) {
         << hits;
 }
 
+/// \p text of a table with what \p cells(line) say of each line, counted from 0, the names, after
+/// the first \p kept cells.
+std::string withCells(const std::string& text, size_t kept,
+                      const std::function<std::string(size_t)>& cells) {
+    std::string out;
+    size_t number = 0;
+    for (size_t at = 0; at < text.size(); ++number) {
+        const size_t end = text.find('\n', at);
+        size_t stop = at;
+        for (size_t i = 0; i < kept; ++i) stop = std::min(text.find(',', stop + 1), end);
+        out += text.substr(at, stop - at) + cells(number) + "\n";
+        at = end + 1;
+    }
+    return out;
+}
+
+TEST_F(Replay, ShadowRaysMaySayLessOrMore) {
+    const auto with = [&](size_t kept, const std::function<std::string(size_t)>& cells) {
+        return edited("shadowrays.1.csv",
+                      [&](std::string& text) { text = withCells(text, kept, cells); });
+    };
+    // Without blockers, and with what they skip: nothing.
+    EXPECT_EQ(replay(with(8, [](size_t) { return ""; }), 0)["passes"][5]["right"], 96);
+    EXPECT_EQ(replay(with(9, [](size_t line) { return line == 0 ? ",skip" : ",4294967295"; }),
+                     0)["passes"][5]["right"],
+              96);
+    // All blockers in one tile: most are not listed there.
+    const Json filed =
+        replay(with(9, [](size_t line) { return line == 0 ? ",view,column,row" : ",3,1,1"; }),
+               1)["passes"][5];
+    EXPECT_GT(filed["faults"]["misfiled"], 10);
+    EXPECT_EQ(filed["faults"].size(), 1u);
+    EXPECT_NE(filed["first"]["text"].get<std::string>().find(
+                  " is filed in view -Y, column 1, row 1, which does not list it"),
+              std::string::npos)
+        << filed;
+    // A ray that ends before what blocked it, and one that goes on beyond the light.
+    const auto ending = [&](const char* tMax) {
+        return edited("shadowrays.1.csv", [&](std::string& text) {
+            text = withCells(text, 6, [&](size_t line) {
+                return line == 0 ? std::string(",tMax,occluded") : std::string(",") + tMax + ",0";
+            });
+        });
+    };
+    EXPECT_EQ(replay(ending("0"), 0)["passes"][5]["right"], 96);
+    EXPECT_EQ(replay(ending("1"), 1)["passes"][5]["faults"], Json({{"missed occlusion", 26}}));
+    EXPECT_GT(replay(ending("9"), 1)["passes"][5]["faults"]["missed occlusion"], 40);
+
+    const Outcome part =
+        dirt({"replay", with(9, [](size_t line) { return line == 0 ? ",view,row" : ",3,1"; })});
+    EXPECT_EQ(part.status, 2);
+    EXPECT_NE(part.err.find("shadowrays.1.csv:1: has some of the columns view, column and row"),
+              std::string::npos)
+        << part.err;
+}
+
 TEST_F(Replay, TrianglesAtTheEyeAreJudged) {
     const Json json = replay(
         edited("manifest.json",
@@ -173,14 +234,18 @@ TEST_F(Replay, BuffersMayBeLeftOut) {
         return edited("manifest.json", [&](std::string& text) {
             Json json = Json::parse(text);
             for (size_t i = json["files"].size(); i-- > 0;)
-                if (names.find(json["files"][i]["buffer"].get<std::string>()) != names.npos)
+                if ((" " + names + " ")
+                        .find(" " + json["files"][i]["buffer"].get<std::string>() + " ") !=
+                    names.npos)
                     json["files"].erase(i);
             text = json.dump();
         });
     };
-    EXPECT_EQ(replay(without("rays hits"), 0)["passes"].size(), 4u);
-    EXPECT_EQ(replay(without("ids rays hits"), 0)["passes"].size(), 3u);
-    EXPECT_EQ(replay(without("depth ids"), 0)["passes"].size(), 2u); // at_eye and hits
+    EXPECT_EQ(replay(without("rays hits shadowrays"), 0)["passes"].size(), 4u);
+    EXPECT_EQ(replay(without("rays hits"), 0)["passes"].size(), 5u);
+    EXPECT_EQ(replay(without("shadowrays"), 0)["passes"].size(), 5u);
+    EXPECT_EQ(replay(without("ids rays hits"), 0)["passes"].size(), 4u);
+    EXPECT_EQ(replay(without("depth ids"), 0)["passes"].size(), 3u); // at_eye, hits, shadow rays
     const Outcome noDepth = dirt({"replay", without("depth")});
     EXPECT_EQ(noDepth.status, 2);
     EXPECT_NE(noDepth.err.find("manifest.json: has ids without depth"), std::string::npos);
@@ -249,6 +314,12 @@ TEST_F(Replay, BadTablesEndInOneLineWithTheirPlace) {
         {"ids.csv", 2, "0,0,0,0," + big, ":2: id is '9999"},
         {"hits.1.csv", 5, "25,1,0,0", ":5: primitive is 25, where there are 25 triangles"},
         {"hits.1.csv", 1, "primitive,t,u,v,view", ":2: has 4 values, not 5"},
+        {"shadowrays.1.csv", 3, "0,0,0,0,0,1,1,2,0", ":3: occluded is 2, not 0 or 1"},
+        {"shadowrays.1.csv", 3, "0,0,0,0,0,1,1,1,25",
+         ":3: blocker is 25, where there are 25 triangles"},
+        {"shadowrays.1.csv", 1,
+         "origin.X,origin.Y,origin.Z,direction.X,direction.Y,direction.Z,occluded",
+         ":1: has no column tMax"},
         {"rays.1.csv", 97, "", ":97: has 1 values, not 6"},
         {"rays.1.csv", 1, "", ":1: has no column origin.X"}};
     for (const Case& bad : cases) {
@@ -322,6 +393,8 @@ TEST_F(Replay, AgainstABackendTellsHowItDiffers) {
     EXPECT_EQ(differences("missed", 1)["Trace"], 1u);
     EXPECT_EQ(differences("wrong-primitive", 1)["Trace"], 1u);
     EXPECT_GT(differences("lost", 1)["FillPrimitives"], right["FillPrimitives"] + 20);
+    EXPECT_EQ(right["Visibility"], 0u);
+    EXPECT_EQ(differences("missed-occlusion", 1)["Visibility"], 1u);
 
     // Borders that no backend makes.
     const std::string odd = edited("manifest.json", [](std::string& text) {

@@ -26,7 +26,7 @@ def write_table(file, names, rows):
     file.write_text("\n".join(lines) + "\n", encoding="ascii")
 
 
-def write_dump(folder, scene, depth, entries, rays, hits):
+def write_dump(folder, scene, depth, entries, rays, hits, shadow_rays, blocking):
     folder.mkdir(parents=True)
     write_table(folder / "triangles.csv", "a.X,a.Y,a.Z,b.X,b.Y,b.Z,c.X,c.Y,c.Z",
                 [sum(triangle, []) for triangle in scene])
@@ -37,6 +37,10 @@ def write_dump(folder, scene, depth, entries, rays, hits):
                 "origin.X,origin.Y,origin.Z,direction.X,direction.Y,direction.Z",
                 [[float(x) for x in origin + direction] for origin, direction in rays])
     write_table(folder / "hits.1.csv", "primitive,t,u,v", hits)
+    write_table(folder / "shadowrays.1.csv",
+                "origin.X,origin.Y,origin.Z,direction.X,direction.Y,direction.Z,tMax,occluded,blocker",
+                [[float(x) for x in origin + direction] + [1.0, *answer]
+                 for (origin, direction), answer in zip(shadow_rays, blocking)])
     borders = [float(border(i)) for i in range(TILES + 1)]
     views = [
         {
@@ -50,7 +54,8 @@ def write_dump(folder, scene, depth, entries, rays, hits):
         }
         for face, name in enumerate(FACES)
     ]
-    buffers = {"triangles": None, "depth": None, "ids": None, "rays": 1, "hits": 1}
+    buffers = {"triangles": None, "depth": None, "ids": None, "rays": 1, "hits": 1,
+               "shadowrays": 1}
     files = [
         {"file": name + (f".{event}" if event else "") + ".csv", "buffer": name, "event": event}
         for name, event in buffers.items()
@@ -69,12 +74,17 @@ class Faults:
         self.right = Structure(self.scene)
         self.rays = make_rays(self.scene)
         self.found = [cast(ray, self.scene) for ray in self.rays]
+        self.shadow_rays = make_shadow_rays()
+        self.between = [blockers(ray, self.scene) for ray in self.shadow_rays]
+        # Occluded or not, and by what: any of those between.
+        self.blocking = [[1, ids[-1]] if ids else [0, NONE] for ids in self.between]
 
-    def write(self, name, where, depth=None, entries=None, found=None, hits=None):
+    def write(self, name, where, depth=None, entries=None, found=None, hits=None, blocking=None):
         """where says the fault; None: there is none."""
         hits = hits or [record(hit) for hit in (found or self.found)]
         write_dump(self.folder / name, self.scene, depth or self.right.depth,
-                   entries or self.right.entries, self.rays, hits)
+                   entries or self.right.entries, self.rays, hits, self.shadow_rays,
+                   blocking or self.blocking)
         self.expected[name] = where
 
     def lies_well(self, cell, number):
@@ -228,8 +238,38 @@ class Faults:
                    self.where("Trace 1", pixel=self.pixel(pixel), fault="wrong weights",
                               primitive=hits[pixel][0]), hits=hits)
 
+    def with_answer(self, pixel, answer):
+        return self.blocking[:pixel] + [answer] + self.blocking[pixel + 1:]
+
+    def write_shadow(self, name, pixel, answer, **where):
+        self.write(name, self.where("Visibility 1", pixel=self.pixel(pixel), **where),
+                   blocking=self.with_answer(pixel, answer))
+
+    def missed_occlusion(self):
+        """Of the last pixel that is in shadow."""
+        pixel = max(i for i, ids in enumerate(self.between) if ids)
+        self.write_shadow("missed-occlusion", pixel, [0, NONE], fault="missed occlusion",
+                          primitive=self.between[pixel][0])
+
+    def false_occlusion(self):
+        """By a triangle that the ray meets beyond the light."""
+        def beyond(ray):
+            hit = cast(ray, self.scene)
+            return hit and hit[1] > 1 and hit[0]
+        pixel, number = next((i, beyond(ray)) for i, ray in enumerate(self.shadow_rays)
+                             if beyond(ray))
+        self.write_shadow("false-occlusion", pixel, [1, number], fault="false occlusion",
+                          primitive=number)
+
+    def wrong_blocker(self):
+        """In shadow indeed, but of another triangle."""
+        pixel = next(i for i, ids in enumerate(self.between) if ids)
+        other = next(i for i in range(len(self.scene)) if i not in self.between[pixel])
+        self.write_shadow("wrong-blocker", pixel, [1, other], fault="wrong blocker",
+                          primitive=other)
+
     def lost(self):
-        """A triangle is in no list, and rays that should hit it do not: one fault, two passes."""
+        """A triangle is in no list, and rays that should hit it do not: one fault, three passes."""
         counts = [sum(1 for hit in self.found if hit and hit[0] == n)
                   for n in range(len(self.scene))]
         number = counts.index(max(counts))
@@ -239,9 +279,14 @@ class Faults:
         due = bare.entries
         found = [cast(ray, self.scene, without=(number,)) for ray in self.rays]
         assert sum(a != b for a, b in zip(found, self.found)) == counts[number] > 1
+        lit = [ids == [number] for ids in self.between]
+        blocking = [[0, NONE] if is_lit else [1, next(i for i in ids if i != number)] if ids
+                    else [0, NONE] for ids, is_lit in zip(self.between, lit)]
         self.write("lost", self.where("FillPrimitives", inherited=counts[number],
-                                      primitive=number, fault="incomplete", count=len(due)),
-                   entries={e for e in self.right.entries if e[4] != number}, found=found)
+                                      inherited_shadows=sum(lit), primitive=number,
+                                      fault="incomplete", count=len(due)),
+                   entries={e for e in self.right.entries if e[4] != number}, found=found,
+                   blocking=blocking)
 
 
 def main():
@@ -249,7 +294,8 @@ def main():
     faults.write("right", None)
     for fault in (faults.cut_bound, faults.wide_bound, faults.wrong_pyramid, faults.lacking,
                   faults.without_guard_band, faults.far_away, faults.wrong_depth, faults.missed, faults.false_hit,
-                  faults.wrong_primitive, faults.wrong_t, faults.wrong_weights, faults.lost):
+                  faults.wrong_primitive, faults.wrong_t, faults.wrong_weights, faults.missed_occlusion,
+                  faults.false_occlusion, faults.wrong_blocker, faults.lost):
         fault()
     (faults.folder / "faults.json").write_text(json.dumps(faults.expected), encoding="ascii")
 
