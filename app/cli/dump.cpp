@@ -164,7 +164,7 @@ Json filesJson(const std::vector<DumpedFile>& files) {
         Json channels = Json::array();
         for (const ChannelInfo& info : file.channels)
             channels.push_back(
-                {{"name", info.channel.name},
+                {{"name", info.inFile},
                  {"type", info.channel.type == ExrChannel::Type::uint32 ? "uint32" : "float32"},
                  {"space", info.space},
                  {"unit", info.unit},

@@ -23,27 +23,38 @@ constexpr const char* kColorOrder = "RGB";
 class Table {
 public:
     Table& word(const std::string& name, size_t offset, const std::string& meaning) {
-        return add(name, Type::uint32, offset, "", "", meaning);
+        return add(name, name + ".X", Type::uint32, offset, "", "", meaning);
     }
     Table& number(const std::string& name, size_t offset, const char* space, const char* unit,
                   const std::string& meaning) {
-        return add(name, Type::float32, offset, space, unit, meaning);
+        return add(name, name + ".X", Type::float32, offset, space, unit, meaning);
+    }
+    Table& depth(const std::string& name, size_t offset, const char* space,
+                 const std::string& meaning) {
+        return add(name, name + ".Z", Type::float32, offset, space, kLength, meaning);
     }
     /// Three channels, called by \p letters.
     Table& vector(const std::string& name, size_t offset, const char* letters, const char* space,
                   const char* unit, const std::string& meaning) {
-        for (size_t i = 0; i < 3; ++i)
-            add((name.empty() ? "" : name + ".") + letters[i], Type::float32,
-                offset + i * sizeof(float), space, unit, meaning);
+        for (size_t i = 0; i < 3; ++i) {
+            const std::string full = (name.empty() ? "" : name + ".") + letters[i];
+            add(full, full, Type::float32, offset + i * sizeof(float), space, unit, meaning);
+        }
         return *this;
+    }
+    /// As deep files have them: words, or depths of a view.
+    Table& ofDeep(const std::string& name, Type type, size_t offset, const std::string& meaning) {
+        const bool isDepth = type == Type::float32;
+        return add(name, name, type, offset, isDepth ? kView : "", isDepth ? kLength : "", meaning);
     }
     operator std::vector<ChannelInfo>() const { return rows_; }
 
 private:
-    Table& add(const std::string& name, Type type, size_t offset, const char* space,
-               const char* unit, const std::string& meaning) {
+    Table& add(const std::string& name, const std::string& inFile, Type type, size_t offset,
+               const char* space, const char* unit, const std::string& meaning) {
         ChannelInfo& row = rows_.emplace_back();
         row.channel = {name, type};
+        row.inFile = inFile;
         row.offset = offset;
         row.space = space;
         row.unit = unit;
@@ -67,16 +78,16 @@ std::vector<ChannelInfo> triangleChannels() {
 
 std::vector<ChannelInfo> depthChannels() {
     return Table()
-        .number("near", offsetof(DepthBounds, near), kView, kLength,
-                "least depth w of any primitive part in the tile; above far where there is none")
-        .number("far", offsetof(DepthBounds, far), kView, kLength,
-                "greatest depth w of any primitive part in the tile");
+        .depth("near", offsetof(DepthBounds, near), kView,
+               "least depth w of any primitive part in the tile; above far where there is none")
+        .depth("far", offsetof(DepthBounds, far), kView,
+               "greatest depth w of any primitive part in the tile");
 }
 
 std::vector<ChannelInfo> shadowMapChannels() {
-    return Table().number("depth", 0, "light", kLength,
-                          "of the nearest caster along the light's axis; the largest float where "
-                          "there is none");
+    return Table().depth("depth", 0, "light",
+                         "of the nearest caster along the light's axis; the largest float where "
+                         "there is none");
 }
 
 std::vector<ChannelInfo> rayChannels() {
@@ -155,16 +166,16 @@ std::vector<ChannelInfo> radianceChannels() {
 
 std::vector<ChannelInfo> entryChannels() {
     return Table()
-        .word("id", 0, "primitive id of the list entry")
-        .word("bin", 4, "depth bin that lists it")
-        .word("view", 8, "view of the tile")
-        .number("Z", 12, kView, kLength, "least depth w of the primitive's part in the tile")
-        .number("ZBack", 16, kView, kLength,
-                "greatest depth w of the primitive's part in the tile");
+        .ofDeep("id", Type::uint32, 0, "primitive id of the list entry")
+        .ofDeep("bin", Type::uint32, 4, "depth bin that lists it")
+        .ofDeep("view", Type::uint32, 8, "view of the tile")
+        .ofDeep("Z", Type::float32, 12, "least depth w of the primitive's part in the tile")
+        .ofDeep("ZBack", Type::float32, 16, "greatest depth w of the primitive's part in the tile");
 }
 
 std::vector<ChannelInfo> withPrefix(const std::string& prefix, std::vector<ChannelInfo> channels) {
-    for (ChannelInfo& info : channels) info.channel.name = prefix + "." + info.channel.name;
+    for (ChannelInfo& info : channels)
+        for (std::string* name : {&info.channel.name, &info.inFile}) *name = prefix + "." + *name;
     return channels;
 }
 

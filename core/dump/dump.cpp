@@ -36,7 +36,8 @@ ExrPart Dump::gather(const std::string& name, int width, int height,
                      const std::vector<Layer>& layers) const {
     ExrPart part{name, width, height, {}, {}};
     const std::vector<ChannelInfo> channels = channelsOf(layers);
-    for (const ChannelInfo& info : channels) part.channels.push_back(info.channel);
+    for (const ChannelInfo& info : channels)
+        part.channels.push_back({info.inFile, info.channel.type});
     const size_t pixels = (size_t) width * height;
     part.values.resize(pixels * channels.size());
     uint32_t* value = part.values.data();
@@ -120,8 +121,8 @@ void Dump::idsAsText(const Grid& grid) {
     DumpedFile& dumped = files_.emplace_back(DumpedFile{kIdsAsText, "ids", {}, {}, {}});
     std::string text;
     for (const auto& [name, meaning] : columns) {
-        const auto column = flagChannels(name, meaning);
-        dumped.channels.insert(dumped.channels.end(), column.begin(), column.end());
+        ChannelInfo& column = dumped.channels.emplace_back(flagChannels(name, meaning).front());
+        column.inFile = name;
         text.append(text.empty() ? "" : ",").append(name);
     }
     text += "\n";

@@ -138,6 +138,18 @@ Table readText(const std::filesystem::path& file, const std::vector<Column>& col
     return table;
 }
 
+/// The column that a channel is: of NAME.X or NAME.Z, as EXR files call a single number, NAME.
+/// Those of vectors are columns themselves.
+std::string columnOf(const std::string& channel, const std::vector<Column>& columns,
+                     const std::vector<std::string>& known) {
+    if (!channel.ends_with(".X") && !channel.ends_with(".Z")) return channel;
+    const std::string name = channel.substr(0, channel.size() - 2);
+    const bool isNumber = std::find(known.begin(), known.end(), name) != known.end() ||
+                          std::any_of(columns.begin(), columns.end(),
+                                      [&](const Column& c) { return c.name == name; });
+    return isNumber ? name : channel;
+}
+
 Table tableOf(const std::filesystem::path& file, ExrPart& part, const std::vector<Column>& columns,
               const std::vector<std::string>& known, std::vector<std::string>& ignored) {
     Table table = emptyTable(file, columns);
@@ -145,7 +157,8 @@ Table tableOf(const std::filesystem::path& file, ExrPart& part, const std::vecto
     table.width = part.width;
     table.rows = (size_t) part.width * (size_t) part.height;
     std::vector<std::string> names;
-    for (const ExrChannel& channel : part.channels) names.push_back(channel.name);
+    for (const ExrChannel& channel : part.channels)
+        names.push_back(columnOf(channel.name, columns, known));
     const std::vector<size_t> places = placesOf(columns, names, known, table, ignored);
     noteColumns(places, table);
     for (size_t c = 0; c < columns.size(); ++c) {

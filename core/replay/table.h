@@ -36,10 +36,10 @@ struct Table {
 };
 
 /// Reads FILE.csv (a line of names, then a line a record with commas between) or the parts of
-/// FILE.exr (the pixels row by row). Numbers are finite, decimal or hexadecimal; denormals become
-/// zeros, as everywhere in the grid. Columns that are neither asked for nor \p known without effect
-/// are added to \p ignored as "file: column NAME". Throws InputError where a column is missing or a
-/// value is not of its kind.
+/// FILE.exr (the pixels row by row; channels NAME.X and NAME.Z are columns NAME). Numbers are
+/// finite, decimal or hexadecimal; denormals become zeros, as everywhere in the grid. Columns that
+/// are neither asked for nor \p known without effect are added to \p ignored as "file: column
+/// NAME". Throws InputError where a column is missing or a value is not of its kind.
 std::vector<Table> readTables(const std::filesystem::path& file, const std::vector<Column>& columns,
                               const std::vector<std::string>& known,
                               std::vector<std::string>& ignored);

@@ -52,9 +52,9 @@ def tiles(folder, manifest):
     levels = next(f for f in manifest["files"] if f["buffer"] == "depth")["parts"]
     for view, frame in enumerate(manifest["view_frames"]):
         bounds = part(folder, "depth.exr", levels.index(frame["name"] + ".level0"))
-        near.append(bounds["near"])
-        empty = bounds["near"] > bounds["far"]
-        span.append(np.where(empty, 0.0, bounds["far"] - np.where(empty, 0.0, bounds["near"])))
+        near.append(bounds["near.Z"])
+        empty = bounds["near.Z"] > bounds["far.Z"]
+        span.append(np.where(empty, 0.0, bounds["far.Z"] - np.where(empty, 0.0, bounds["near.Z"])))
         deep = source.read_native_deep_image(view, 0)
         counts = np.array([deep.samples(i) for i in range(deep.pixels)], dtype=np.float64)
         entries.append(counts.reshape(frame["tiles"][1], frame["tiles"][0]))
@@ -75,19 +75,19 @@ def pictures(folder, event):
     k = str(event)
     direct, rays = part(folder, "direct.exr"), part(folder, f"rays.{k}.exr")
     hits, shading = part(folder, f"hits.{k}.exr"), part(folder, f"shading.{k}.exr")
-    seen, hit = direct["primitive"] != NONE, hits["primitive"] != NONE
+    seen, hit = direct["primitive.X"] != NONE, hits["primitive.X"] != NONE
     image = part(folder, f"image.{k}.exr")
     return tiles(folder, manifest) + [
-        ("direct: primitive", hashed(direct["primitive"])),
+        ("direct: primitive", hashed(direct["primitive.X"])),
         ("direct: position", vector(direct, "position", "XYZ") * 0.5 + 0.5),
         ("direct: shadingNormal", np.where(grey(seen), vector(direct, "shadingNormal", "XYZ") * 0.5 + 0.5, 0)),
         ("direct: diffuse", vector(direct, "diffuse", "RGB") ** 0.45),
-        ("visibility.0", grey(part(folder, "visibility.0.exr")["visible"])),
-        (f"mask.{k}", grey(part(folder, f"mask.{k}.exr")["alive"])),
+        ("visibility.0", grey(part(folder, "visibility.0.exr")["visible.X"])),
+        (f"mask.{k}", grey(part(folder, f"mask.{k}.exr")["alive.X"])),
         (f"rays.{k}: direction", vector(rays, "direction", "XYZ") * 0.5 + 0.5),
         (f"rays.{k}: throughput", vector(rays, "throughput", "RGB") ** 0.45),
-        (f"hits.{k}: primitive", hashed(hits["primitive"])),
-        (f"hits.{k}: t", ranged(np.log(np.where(hit, np.maximum(hits["t"], 1e-6), 1.0)), hit)),
+        (f"hits.{k}: primitive", hashed(hits["primitive.X"])),
+        (f"hits.{k}: t", ranged(np.log(np.where(hit, np.maximum(hits["t.X"], 1e-6), 1.0)), hit)),
         (f"shading.{k}: next.diffuse", vector(shading, "next.diffuse", "RGB") ** 0.45),
         (f"image.{k}", np.stack([image[c] for c in "RGB"], axis=2) ** 0.45),
     ]

@@ -101,7 +101,7 @@ def read_depth(folder):
         image = oiio.ImageBuf(folder + "/depth.exr", index, 0)
         spec = image.spec()
         images[name] = [
-            [(pixel(image, x, y, "near"), pixel(image, x, y, "far")) for x in range(spec.width)]
+            [(pixel(image, x, y, "near.Z"), pixel(image, x, y, "far.Z")) for x in range(spec.width)]
             for y in range(spec.height)
         ]
     return images

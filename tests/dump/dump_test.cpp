@@ -11,8 +11,10 @@
 #include "tests/frame/shapes.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <map>
+#include <regex>
 #include <set>
 #include <tuple>
 
@@ -64,7 +66,7 @@ template <typename Record>
 void expectRecords(const Part& part, const std::vector<ChannelInfo>& infos,
                    const std::vector<Record>& records) {
     for (const ChannelInfo& info : infos) {
-        const std::string& name = info.channel.name;
+        const std::string& name = info.inFile;
         ASSERT_TRUE(part.channels.contains(name)) << name;
         EXPECT_EQ(part.types.at(name), info.channel.type == ExrChannel::Type::uint32
                                            ? OIIO::TypeDesc::UINT
@@ -131,6 +133,28 @@ TEST(DumpChannels, NameEveryByte) {
     expectAllBytes(hitChannels(), sizeof(Hit), 0);
     expectAllBytes(surfacePointChannels(), sizeof(SurfacePoint), 0);
     expectAllBytes(entryChannels(), sizeof(ListEntry), 0);
+}
+
+TEST(DumpChannels, AreLayersThatCompositorsKeep) {
+    // Blender keeps a channel whose name ends in one of a few letters, after at most a pass and a
+    // layer; Nuke letters, digits and underscores, dots between layers made into one. OpenEXR 1 has
+    // names of 31 characters.
+    const std::regex name("(?:[A-Za-z][A-Za-z0-9]*\\.){0,2}[RGBXYZ]");
+    for (auto channels : {triangleChannels(), depthChannels(), shadowMapChannels(), rayChannels(),
+                          shadowRayChannels(), hitChannels(), surfacePointChannels(),
+                          flagChannels("alive", ""), flagChannels("visible", ""),
+                          radianceChannels(), withPrefix("previous", surfacePointChannels())}) {
+        std::set<std::string> flattened;
+        for (const ChannelInfo& info : channels) {
+            EXPECT_TRUE(std::regex_match(info.inFile, name)) << info.inFile;
+            EXPECT_LE(info.inFile.size(), 31u) << info.inFile;
+            std::string flat = info.inFile;
+            for (char& c : flat) c = c == '.' ? '_' : (char) std::tolower((unsigned char) c);
+            EXPECT_TRUE(flattened.insert(flat).second) << info.inFile;
+        }
+    }
+    // Deep files have the names that compositors give meaning to.
+    for (const ChannelInfo& info : entryChannels()) EXPECT_EQ(info.inFile, info.channel.name);
 }
 
 TEST_P(DumpTest, HoldsTheBitsOfEveryBuffer) {

@@ -160,10 +160,10 @@ TEST_P(ReplayedFiles, OfAVisibilityThatForgetsAShadowNameItsPixel) {
     const auto value = [&](const char* name) -> uint32_t& {
         return part.values[pixel * part.channels.size() + channel(name)];
     };
-    while (value("occluded") == 0) ++pixel;
-    const uint32_t blocker = value("blocker");
+    while (value("occluded.X") == 0) ++pixel;
+    const uint32_t blocker = value("blocker.X");
     EXPECT_LT(blocker, 8u);
-    value("occluded") = 0;
+    value("occluded.X") = 0;
     writeExr(folder_ / "dump/shadowrays.0.exr", parts, {});
     const Json json = replay({}, 1);
     EXPECT_EQ(json["verdict"], "Visibility 0 is the first pass that is wrong: pixel " +
@@ -173,6 +173,26 @@ TEST_P(ReplayedFiles, OfAVisibilityThatForgetsAShadowNameItsPixel) {
                                    json["verdict"].get<std::string>().substr(
                                        json["verdict"].get<std::string>().rfind(' ') + 1));
     EXPECT_EQ(json["passes"].back()["faults"], Json({{"missed occlusion", 1}}));
+}
+
+TEST_P(ReplayedFiles, MayHaveChannelsOfPlainNames) {
+    ASSERT_TRUE(dump({"--bounces", "2"}));
+    for (const char* name : {"hits.1.exr", "shadowrays.1.exr", "depth.exr"}) {
+        std::vector<ExrPart> parts = readExrParts(folder_ / "dump/" + name);
+        for (ExrPart& part : parts)
+            for (ExrChannel& channel : part.channels)
+                for (const char* plain : {"primitive", "t", "u", "v", "view", "tile", "occluded",
+                                          "tMax", "blocker", "near", "far"})
+                    if (channel.name == std::string(plain) + ".X" ||
+                        channel.name == std::string(plain) + ".Z")
+                        channel.name = plain;
+        writeExr(folder_ / "dump/" + name, parts, {});
+    }
+    EXPECT_EQ(replay({}, 0)["verdict"], "all is right");
+    std::vector<ExrPart> parts = readExrParts(folder_ / "dump/hits.1.exr");
+    parts.front().channels.back().name = "t.X"; // besides t
+    writeExr(folder_ / "dump/hits.1.exr", parts, {});
+    expectRefusal("/hits.1.exr: hits: has two columns 't'");
 }
 
 /// An engine that has what core makes of two triangles and four rays.
