@@ -1,9 +1,10 @@
 #include "core/dump/dump.h"
 #include "app/cli/clamped_radiance.h"
 #include "app/cli/commands.h"
-#include "app/cli/input.h"
+#include "app/cli/dump_manifest.h"
+#include "app/cli/dump_options.h"
+#include "app/cli/dump_pixel.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/json_report.h"
 #include "app/cli/memory_limit.h"
 #include "app/cli/option_values.h"
 #include "core/base/error.h"
@@ -13,8 +14,6 @@
 #include "core/frame/renderer.h"
 #include "core/io/input_files.h"
 #include "core/io/output_file.h"
-#include "core/path/grid_spotlight.h"
-#include "core/path/shadow_frustum.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -27,15 +26,6 @@
 namespace dirt {
 
 namespace {
-
-struct DumpOptions {
-    CommonOptions common;
-    std::vector<std::string> buffers; ///< empty: all
-    std::string folder;
-    std::optional<int> event; ///< none: all
-    uint32_t sample = 0;
-    bool json = false;
-};
 
 /// Which buffers are wanted.
 class Selection {
@@ -126,87 +116,6 @@ void checkDumpMemory(const Input& input, uint64_t available) {
                          " of memory; a scene may take " + memoryText(available) + " (--memory)");
 }
 
-Json vectorJson(glm::vec3 v) {
-    return {v.x, v.y, v.z};
-}
-
-Json viewsJson(const Grid& grid) {
-    Json views = Json::array();
-    for (size_t i = 0; i < grid.views.size(); ++i) {
-        const View& view = grid.views[i];
-        views.push_back({{"name", viewName(grid, i)},
-                         {"axes", {view.axisX, view.axisY, view.axisW}},
-                         {"sign", view.signW},
-                         {"size", {view.width, view.height}},
-                         {"tiles", {view.columns, view.rows}},
-                         {"s", view.s},
-                         {"t", view.t}});
-    }
-    return views;
-}
-
-/// What texels of the map stand for, in the grid frame.
-Json shadowMapJson(const Scene& scene, const GridFrame& frame) {
-    const GridSpotlight light = makeGridSpotlight(scene.lights.front(), frame);
-    const ShadowMap map = makeShadowMap(scene, frame);
-    return {{"position", vectorJson(light.position)},
-            {"right", vectorJson(light.right)},
-            {"up", vectorJson(light.up)},
-            {"axis", vectorJson(light.axis)},
-            {"extent", map.extent},
-            {"bias", map.bias},
-            {"softness", map.softness}};
-}
-
-Json filesJson(const std::vector<DumpedFile>& files) {
-    Json list = Json::array();
-    for (const DumpedFile& file : files) {
-        Json channels = Json::array();
-        for (const ChannelInfo& info : file.channels)
-            channels.push_back(
-                {{"name", info.inFile},
-                 {"type", info.channel.type == ExrChannel::Type::uint32 ? "uint32" : "float32"},
-                 {"space", info.space},
-                 {"unit", info.unit},
-                 {"meaning", info.meaning}});
-        list.push_back({{"file", file.file},
-                        {"buffer", file.buffer},
-                        {"event", file.event ? Json(*file.event) : Json()},
-                        {"parts", file.parts},
-                        {"channels", channels}});
-    }
-    return list;
-}
-
-/// What makes the numbers in the files mean something: the frame, the views and the channels.
-Json manifest(const DumpOptions& options, const Input& input, const Backend& backend,
-              const Executor& executor, const RenderResult& result,
-              const std::vector<DumpedFile>& files) {
-    Json json = reportOf(input, backend, executor, result.build);
-    for (const char* key : {"passes", "build_ms", "memory", "threads", "spp"}) json.erase(key);
-    const GridFrame frame = backend.readGeometry().frame;
-    const Requirements need = requirementsOf(input.scene, input.settings, backend.rasterizes());
-    json["sample"] = options.sample;
-    json["fov"] = input.scene.camera.verticalFov;
-    json["cut_outs"] = need.cutOuts;
-    json["clamped"] = result.counts.clamped;
-    const glm::dvec3 origin = input.scene.origin;
-    json["origin"] = {origin.x, origin.y, origin.z};
-    json["frame"] = {{"eye", vectorJson(frame.eye)},
-                     {"right", vectorJson(frame.right)},
-                     {"down", vectorJson(frame.down)},
-                     {"forward", vectorJson(frame.forward)},
-                     {"scale", frame.scale}};
-    if (backend.hasGrid()) {
-        const Grid grid = backend.readGrid();
-        json["view_frames"] = viewsJson(grid);
-        json["at_eye"] = grid.atEye;
-    }
-    if (need.shadowMap > 0) json["shadow_map"] = shadowMapJson(input.scene, frame);
-    json["files"] = filesJson(files);
-    return json;
-}
-
 void dumpStructure(const Backend& backend, const FrameGeometry& geometry, const Selection& wanted,
                    Dump& dump) {
     if (wanted.has("triangles")) dump.triangles(geometry);
@@ -233,6 +142,7 @@ void dumpEvent(const FrameContext& frame, Backend& backend, const PathBuffers& p
 
 int runDump(const DumpOptions& options) {
     const Selection wanted(options.buffers);
+    if (options.pixel) checkPixelOptions(options);
     const auto executor = makeExecutor(options.common);
     Input input = openInput(options.common, *executor);
     input.settings.samples = 1;
@@ -243,14 +153,15 @@ int runDump(const DumpOptions& options) {
     const uint64_t memory = sceneMemory(options.common);
     checkDumpMemory(input, memory);
     const auto backend = makeBackend(options.common, *executor);
-    checkFolder(options.folder, wanted, input.settings.bounces, memory);
-    makeFolder(options.folder);
+    if (options.pixel) return dumpPixel(options, input, *backend, *executor);
+    checkFolder(options.output, wanted, input.settings.bounces, memory);
+    makeFolder(options.output);
     // So that none stands beside files that it does not know.
     std::error_code ignored;
-    std::filesystem::remove(manifestOf(options.folder), ignored);
+    std::filesystem::remove(manifestOf(options.output), ignored);
 
     const GridSettings& grid = input.settings.grid;
-    Dump dump(options.folder, grid.width, grid.height,
+    Dump dump(options.output, grid.width, grid.height,
               {{"dirt:scene", input.scene.name},
                {"dirt:backend", backend->name()},
                {"dirt:seed", std::to_string(input.settings.seed)},
@@ -285,13 +196,14 @@ int runDump(const DumpOptions& options) {
 
     noteClamped(result, options.common.quiet);
     const std::string text =
-        manifest(options, input, *backend, *executor, result, dump.files()).dump(2) + "\n";
-    writeFile(manifestOf(options.folder), text);
+        dumpManifest(input, *backend, *executor, options.sample, result, dump.files()).dump(2) +
+        "\n";
+    writeFile(manifestOf(options.output), text);
     if (options.json) std::fputs(text.c_str(), stdout);
     if (options.common.quiet) return 0;
     noteMissing(options.buffers, dump.files());
     for (const DumpedFile& file : dump.files())
-        std::fprintf(stderr, "%s/%s\n", options.folder.c_str(), file.file.c_str());
+        std::fprintf(stderr, "%s/%s\n", options.output.c_str(), file.file.c_str());
     return 0;
 }
 
@@ -305,13 +217,21 @@ void addDump(Command program, int& status) {
     command.addTexts("--buffers", options->buffers, "of " + Selection::list() + " (default: all)")
         .commaSeparated()
         .oneWord();
-    command.addText("-o,--output", options->folder, "folder for the files; made if need be")
+    command
+        .addText("-o,--output", options->output,
+                 "folder for the files, made if need be; with --pixel FILE.json")
         .required();
+    addIntegers(command, "--pixel", 2, 65535, "X,Y",
+                "only this pixel, from the top left, counted from 0: what explains it, as JSON",
+                [options](const std::vector<int>& at) {
+                    options->pixel = std::array{at[0], at[1]};
+                });
     addInteger(command, "--event", 0, 1023, "only this path event (default: all)",
                [options](int64_t k) { options->event = (int) k; });
     addInteger(command, "--sample", 0, 0x7fffffff, "of the frame (default: 0)",
                [options](int64_t n) { options->sample = (uint32_t) n; });
-    command.addFlag("--json", options->json, "print the manifest on standard output");
+    command.addFlag("--json", options->json,
+                    "print the manifest, or the pixel, on standard output");
     command.onRun([options, &status] { status = runDump(*options); });
 }
 

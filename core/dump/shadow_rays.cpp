@@ -17,28 +17,38 @@ void addBlocker(const std::vector<View>& views, const Hit& hit, ShadowRecord& re
 
 } // namespace
 
+ShadowRecord shadowRecordOf(const ShadowRay& shadow, bool occluded) {
+    ShadowRecord record;
+    record.origin = shadow.ray.origin;
+    record.skip = shadow.ray.skip;
+    record.direction = shadow.ray.direction;
+    record.tMax = shadow.maxT;
+    record.occluded = occluded ? 1 : 0;
+    return record;
+}
+
+void findBlockers(Backend& backend, const std::vector<View>& views,
+                  std::span<ShadowRecord> records) {
+    std::vector<ShadowRecord*> cast;
+    std::vector<Ray> rays;
+    for (ShadowRecord& record : records) {
+        if (record.direction == glm::vec3(0.0f)) continue;
+        cast.push_back(&record);
+        rays.push_back({record.origin, record.direction, record.skip});
+    }
+    std::vector<Hit> hits(rays.size());
+    backend.intersect(rays, hits);
+    for (size_t i = 0; i < hits.size(); ++i) addBlocker(views, hits[i], *cast[i]);
+}
+
 std::vector<ShadowRecord> shadowRecordsOf(const FrameContext& frame, Backend& backend, int event,
                                           const PathBuffers& paths) {
     if (!frame.requirements.shadowRays) return {};
     std::vector<ShadowRecord> records(paths.pixels());
-    std::vector<size_t> pixels;
-    std::vector<Ray> rays;
-    for (size_t pixel = 0; pixel < records.size(); ++pixel) {
-        const std::optional<ShadowRay> shadow = shadowRay(frame, event, paths, pixel);
-        if (!shadow) continue;
-        ShadowRecord& record = records[pixel];
-        record.origin = shadow->ray.origin;
-        record.skip = shadow->ray.skip;
-        record.direction = shadow->ray.direction;
-        record.tMax = shadow->maxT;
-        record.occluded = paths.visibility[pixel] ? 0 : 1;
-        pixels.push_back(pixel);
-        rays.push_back(shadow->ray);
-    }
-    std::vector<Hit> hits(rays.size());
-    backend.intersect(rays, hits);
-    const std::vector<View> views = makeViews(frame.settings.grid, frame.scene.camera);
-    for (size_t i = 0; i < hits.size(); ++i) addBlocker(views, hits[i], records[pixels[i]]);
+    for (size_t pixel = 0; pixel < records.size(); ++pixel)
+        if (const auto shadow = shadowRay(frame, event, paths, pixel))
+            records[pixel] = shadowRecordOf(*shadow, paths.visibility[pixel] == 0);
+    findBlockers(backend, makeViews(frame.settings.grid, frame.scene.camera), records);
     return records;
 }
 

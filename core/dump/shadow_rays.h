@@ -3,6 +3,7 @@
 #include "core/frame/passes.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace dirt {
@@ -22,6 +23,14 @@ struct ShadowRecord {
     uint32_t row = 0;
 };
 static_assert(sizeof(ShadowRecord) == 56);
+
+/// A shadow ray and its answer; its blocker is not looked for.
+ShadowRecord shadowRecordOf(const ShadowRay& shadow, bool occluded);
+
+/// Adds the blockers to \p records: what \p backend finds as the nearest hits of their rays before
+/// tMax. \p views: of its structure.
+void findBlockers(Backend& backend, const std::vector<View>& views,
+                  std::span<ShadowRecord> records);
 
 /// The shadow rays of path event \p event, one a pixel; empty where the frame casts none. The
 /// answers are those that \p paths has. A search for any hit keeps no record of what it found, so

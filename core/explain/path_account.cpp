@@ -21,7 +21,8 @@ EventAccount eventOf(const FrameContext& frame, int event, const PathBuffers& pa
     account.point = paths.next[pixel];
     account.shadowRay = shadowRay(frame, event, paths, pixel);
     account.lit = account.shadowRay && paths.visibility[pixel] != 0;
-    account.added = paths.radiance[pixel] - before;
+    account.gathered = paths.radiance[pixel];
+    account.added = account.gathered - before;
     const glm::vec3 throughput = event == 0 ? glm::vec3(1.0f) : account.ray.throughput;
     const bool seesBackground = event == 0 || frame.settings.grid.mode == ViewMode::full;
     if (frame.settings.rayType == RayType::visibility)

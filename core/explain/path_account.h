@@ -25,6 +25,7 @@ struct EventAccount {
     glm::vec3 emitted{0.0f};   ///< by the surface; or the background
     glm::vec3 reflected{0.0f}; ///< of the light: the rest of what is added
     glm::vec3 added{0.0f};     ///< by the event's Shade
+    glm::vec3 gathered{0.0f};  ///< by the sample, after it
 };
 
 /// One sample of one pixel.
