@@ -3,11 +3,10 @@
 
 #include "core/io/image.h"
 #include "tests/cli/program.h"
+#include "tests/support/write_image.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include <OpenImageIO/imageio.h>
 
 namespace dirt::test {
 namespace {
@@ -17,14 +16,7 @@ using nlohmann::json;
 /// A quad whose left half a texture makes red, whose right half blue.
 class Exporter : public testing::Test {
 protected:
-    void SetUp() override {
-        const OIIO::ImageSpec spec(2, 1, 3, OIIO::TypeDesc::UINT8);
-        const std::string file = folder_ / "two.png";
-        const auto output = OIIO::ImageOutput::create(file);
-        const unsigned char texels[] = {255, 0, 0, 0, 0, 255};
-        ASSERT_TRUE(output && output->open(file, spec) &&
-                    output->write_image(OIIO::TypeDesc::UINT8, texels) && output->close());
-    }
+    void SetUp() override { writeImage(folder_ / "two.png", 2, 1, 3, {255, 0, 0, 0, 0, 255}); }
 
     std::string model(const std::string& material) {
         folder_.write("a.mtl", "newmtl m\n" + material + "map_Kd two.png\n");

@@ -4,11 +4,10 @@
 #include "core/io/image.h"
 #include "shaders/shared/radiance.h"
 #include "tests/cli/program.h"
+#include "tests/support/write_image.h"
 
 #include <cmath>
 #include <limits>
-
-#include <OpenImageIO/imageio.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -36,11 +35,7 @@ protected:
     }
     /// A texture of one row, three channels.
     void exr(const char* name, const std::vector<float>& values) {
-        const OIIO::ImageSpec spec((int) values.size() / 3, 1, 3, OIIO::TypeDesc::FLOAT);
-        const std::string file = folder_ / name;
-        const auto output = OIIO::ImageOutput::create(file);
-        ASSERT_TRUE(output && output->open(file, spec) &&
-                    output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
+        writeImage(folder_ / name, (int) values.size() / 3, 1, 3, TexelType::float32, values);
     }
     Outcome run(const std::string& command, std::vector<std::string> more = {}) {
         std::vector<std::string> arguments{command, scene_, "--size", "32x24", "--bounces", "8"};

@@ -5,6 +5,7 @@
 #include "tests/io/gltf_writer.h"
 #include "tests/io/input_error.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_image.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,6 @@
 #include <functional>
 #include <limits>
 
-#include <OpenImageIO/imageio.h>
 #include <glm/geometric.hpp>
 
 namespace dirt {
@@ -42,28 +42,19 @@ protected:
     }
     /// The bytes of a PNG or JPEG file of one colour.
     std::string image(const std::string& name, unsigned char r, unsigned char g, unsigned char b) {
-        const std::string path = folder_ / name;
-        const OIIO::ImageSpec spec(8, 8, 3, OIIO::TypeDesc::UINT8);
-        std::vector<unsigned char> texels;
+        std::vector<uint8_t> texels;
         for (int i = 0; i < 64; ++i) texels.insert(texels.end(), {r, g, b});
-        const auto output = OIIO::ImageOutput::create(path);
-        EXPECT_TRUE(output && output->open(path, spec) &&
-                    output->write_image(OIIO::TypeDesc::UINT8, texels.data()) && output->close());
-        return test::readFile(path);
+        return test::readFile(test::writeImage(folder_ / name, 8, 8, 3, texels));
     }
     /// A PNG file of 8x8 texels, the left half of the one colour, the right of the other.
     void twoColours(const std::string& name, std::array<unsigned char, 4> left,
                     std::array<unsigned char, 4> right) {
-        const std::string path = folder_ / name;
-        const OIIO::ImageSpec spec(8, 8, 4, OIIO::TypeDesc::UINT8);
-        std::vector<unsigned char> texels;
+        std::vector<uint8_t> texels;
         for (int i = 0; i < 64; ++i) {
             const auto& colour = i % 8 < 4 ? left : right;
             texels.insert(texels.end(), colour.begin(), colour.end());
         }
-        const auto output = OIIO::ImageOutput::create(path);
-        EXPECT_TRUE(output && output->open(path, spec) &&
-                    output->write_image(OIIO::TypeDesc::UINT8, texels.data()) && output->close());
+        test::writeImage(folder_ / name, 8, 8, 4, texels);
     }
     /// A triangle whose material has \p image as its base colour.
     static GltfWriter textured(const Json& image) {

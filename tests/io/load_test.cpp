@@ -1,6 +1,7 @@
 #include "core/io/load.h"
 #include "tests/io/input_error.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_image.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include <OpenImageIO/imageio.h>
 #include <glm/geometric.hpp>
 
 namespace dirt {
@@ -33,11 +33,7 @@ protected:
 
     void writeRedTexture(const std::string& name) {
         std::filesystem::create_directories((folder_.path() / name).parent_path());
-        const OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::UINT8);
-        const auto output = OIIO::ImageOutput::create(path(name));
-        const unsigned char red[3] = {255, 0, 0};
-        ASSERT_TRUE(output && output->open(path(name), spec) &&
-                    output->write_image(OIIO::TypeDesc::UINT8, red) && output->close());
+        test::writeImage(path(name), 1, 1, 3, {255, 0, 0});
     }
 
     test::TemporaryFolder folder_;

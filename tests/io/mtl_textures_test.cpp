@@ -2,13 +2,12 @@
 
 #include "core/io/load.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_image.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
-
-#include <OpenImageIO/imageio.h>
 
 namespace dirt {
 namespace {
@@ -23,12 +22,7 @@ class MtlTextures : public testing::Test {
 protected:
     /// A PNG file of one row.
     void image(const std::string& name, int channels, const Bytes& texels) {
-        OIIO::ImageSpec spec((int) texels.size() / channels, 1, channels, OIIO::TypeDesc::UINT8);
-        spec.attribute("oiio:UnassociatedAlpha", 1);
-        const std::string file = folder_ / name;
-        const auto output = OIIO::ImageOutput::create(file);
-        ASSERT_TRUE(output && output->open(file, spec) &&
-                    output->write_image(OIIO::TypeDesc::UINT8, texels.data()) && output->close());
+        test::writeImage(folder_ / name, (int) texels.size() / channels, 1, channels, texels);
     }
 
     const Material& load(const std::string& lines, MaterialConvention convention = kWavefront) {

@@ -4,12 +4,11 @@
 #include "core/io/load.h"
 #include "tests/io/input_error.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_image.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
-
-#include <OpenImageIO/imageio.h>
 
 namespace dirt {
 namespace {
@@ -37,11 +36,7 @@ protected:
     }
 
     void writeTexture(const std::string& name, int shade) {
-        const OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::UINT8);
-        const unsigned char texel[3] = {(unsigned char) (shade * 50), 7, 9};
-        const auto output = OIIO::ImageOutput::create(folder_ / name);
-        ASSERT_TRUE(output && output->open(folder_ / name, spec) &&
-                    output->write_image(OIIO::TypeDesc::UINT8, texel) && output->close());
+        test::writeImage(folder_ / name, 1, 1, 3, {(uint8_t) (shade * 50), 7, 9});
     }
 
     test::TemporaryFolder folder_;

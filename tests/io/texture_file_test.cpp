@@ -5,6 +5,7 @@
 #include "tests/support/captured_stream.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_image.h"
 
 #include <gtest/gtest.h>
 
@@ -15,25 +16,18 @@
 #include <string>
 #include <vector>
 
-#include <OpenImageIO/imageio.h>
-
 namespace dirt {
 namespace {
 
-/// Writes an image of one row from float values, converted to the given format.
-std::filesystem::path writeImage(const std::filesystem::path& file, int channels,
-                                 OIIO::TypeDesc format, const std::vector<float>& values) {
-    OIIO::ImageSpec spec((int) values.size() / channels, 1, channels, format);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    if (channels % 2 == 0) spec.alpha_channel = channels - 1;
-    const auto output = OIIO::ImageOutput::create(file.string());
-    EXPECT_TRUE(output && output->open(file.string(), spec) &&
-                output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close())
-        << OIIO::geterror();
-    return file;
+using test::TexelType;
+
+/// Writes an image of one row from float values, converted to the given type.
+std::filesystem::path writeImage(const std::filesystem::path& file, int channels, TexelType type,
+                                 const std::vector<float>& values) {
+    return test::writeImage(file, (int) values.size() / channels, 1, channels, type, values);
 }
 
-constexpr auto kByte = OIIO::TypeDesc::UINT8;
+constexpr auto kByte = TexelType::uint8;
 
 TEST(TextureFile, ReadsColour) {
     const test::TemporaryFolder folder;
@@ -60,12 +54,12 @@ TEST(TextureFile, MakesGreyOfOneChannel) {
 /// Colour, alpha and data of one decoded image are those of images decoded for each.
 TEST(TextureFile, ReadsSeveralThingsOfOneImage) {
     const test::TemporaryFolder folder;
-    for (const auto format : {OIIO::TypeDesc::UINT8, OIIO::TypeDesc::UINT16, OIIO::TypeDesc::FLOAT})
+    for (const auto type : {TexelType::uint8, TexelType::uint16, TexelType::float32})
         for (const int channels : {2, 4}) {
             std::vector<float> values;
             for (int i = 0; i < 6 * channels; ++i) values.push_back((float) (i % 7) / 6.0f);
-            const char* name = format == OIIO::TypeDesc::FLOAT ? "a.tif" : "a.png";
-            const auto file = writeImage(folder.path() / name, channels, format, values);
+            const char* name = type == TexelType::float32 ? "a.tif" : "a.png";
+            const auto file = writeImage(folder.path() / name, channels, type, values);
             const DecodedImage image{file};
             const auto alpha = readAlpha(image);
             const Texture colour = readTexture(image);
@@ -97,7 +91,7 @@ TEST(TextureFile, ReadsDeepIntegersAsSrgbToo) {
     const test::TemporaryFolder folder;
     for (const char* name : {"a.png", "a.tif"}) {
         const Texture t = readTexture(DecodedImage(
-            writeImage(folder.path() / name, 3, OIIO::TypeDesc::UINT16, {0.001f, 0.5f, 1.0f})));
+            writeImage(folder.path() / name, 3, TexelType::uint16, {0.001f, 0.5f, 1.0f})));
         const glm::vec3 colour = t.sample({0, 0});
         EXPECT_NEAR(colour.x, 66.0 / 65535.0 / 12.92, 1e-11); // 7.79e-5; 0.001 is between two steps
         EXPECT_NEAR(colour.y, 0.21404, 2e-5);
@@ -108,7 +102,7 @@ TEST(TextureFile, ReadsDeepIntegersAsSrgbToo) {
 TEST(TextureFile, ReadsFloatsAsTheyAre) {
     const test::TemporaryFolder folder;
     const Texture t = readTexture(DecodedImage(
-        writeImage(folder.path() / "a.exr", 3, OIIO::TypeDesc::HALF, {0.5f, 0.25f, 100.0f})));
+        writeImage(folder.path() / "a.exr", 3, TexelType::half, {0.5f, 0.25f, 100.0f})));
     EXPECT_EQ(t.bytes(), 12u);
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(0.5f, 0.25f, 100.0f));
 }
@@ -116,7 +110,7 @@ TEST(TextureFile, ReadsFloatsAsTheyAre) {
 TEST(TextureFile, TakesFloatsThatAreNoColourForOthers) {
     const test::TemporaryFolder folder;
     const float inf = std::numeric_limits<float>::infinity();
-    const DecodedImage image(writeImage(folder.path() / "a.exr", 3, OIIO::TypeDesc::FLOAT,
+    const DecodedImage image(writeImage(folder.path() / "a.exr", 3, TexelType::float32,
                                         {-1.0f, std::nanf(""), inf, 1e30f, 5.0f, -inf}));
     const Texture colour = readTexture(image);
     EXPECT_EQ(image.takeFault(),
@@ -264,24 +258,23 @@ INSTANTIATE_TEST_SUITE_P(Formats, DamagedTexture,
 
 TEST(TextureFile, TellsNormalsFromHeights) {
     const test::TemporaryFolder folder;
-    const auto isNormals = [&](int channels, OIIO::TypeDesc format,
-                               const std::vector<float>& values) {
-        const char* name = format == kByte ? "a.png" : "a.exr";
+    const auto isNormals = [&](int channels, TexelType type, const std::vector<float>& values) {
+        const char* name = type == kByte ? "a.png" : "a.exr";
         return isNormalMap(
-            DecodedImage(writeImage(folder.path() / name, channels, format, values)));
+            DecodedImage(writeImage(folder.path() / name, channels, type, values)));
     };
     const std::vector<float> flat{0.5f, 0.5f, 1.0f};
     const std::vector<float> tilted{0.5f, 0.5f, 1.0f, 0.85f, 0.5f, 0.857f, 0.3f, 0.2f, 0.845f};
     const std::vector<float> wood{0.6f, 0.45f, 0.3f, 0.5f, 0.35f, 0.2f};
     const std::vector<float> heights{0.0f, 0.0f, 0.0f, 0.4f, 0.4f, 0.4f, 1.0f, 1.0f, 1.0f};
     const std::vector<float> inwards{0.5f, 0.5f, 0.0f};
-    for (const auto format : {kByte, OIIO::TypeDesc::FLOAT}) {
-        EXPECT_TRUE(isNormals(3, format, flat));
-        EXPECT_TRUE(isNormals(3, format, tilted));
-        EXPECT_FALSE(isNormals(3, format, wood));
-        EXPECT_FALSE(isNormals(3, format, heights));
-        EXPECT_FALSE(isNormals(3, format, inwards));
-        EXPECT_FALSE(isNormals(1, format, {0.5f}));
+    for (const auto type : {kByte, TexelType::float32}) {
+        EXPECT_TRUE(isNormals(3, type, flat));
+        EXPECT_TRUE(isNormals(3, type, tilted));
+        EXPECT_FALSE(isNormals(3, type, wood));
+        EXPECT_FALSE(isNormals(3, type, heights));
+        EXPECT_FALSE(isNormals(3, type, inwards));
+        EXPECT_FALSE(isNormals(1, type, {0.5f}));
     }
     EXPECT_TRUE(isNormals(4, kByte, {0.5f, 0.5f, 1.0f, 1.0f}));
 }
