@@ -26,7 +26,7 @@ public:
     /// Throws InputError where there is no such file.
     std::string read(const std::string& file) const;
 
-    /// \p file with \p defines (`NAME VALUE`) after its #version line, and with each file that it
+    /// \p file with \p defines (`NAME VALUE`) after its `#version` line, and with each file that it
     /// includes put in once, as `#include "include/x.glsl"` or `"shaders/shared/x.h"` first asks
     /// for it. Throws InputError naming file and line where an include cannot be found.
     ShaderText compose(const std::string& file, const std::vector<std::string>& defines) const;

@@ -25,8 +25,8 @@ std::optional<MaterialConvention> parseMaterialConvention(std::string_view name)
 struct MaterialChoice {
     enum class By : uint8_t {
         option,    ///< --materials
-        object,    ///< the attribute of <object>
-        world,     ///< that of <world>
+        object,    ///< the attribute of `<object>`
+        world,     ///< that of `<world>`
         sceneFile, ///< nobody: what a .scene file places
         bareModel  ///< nobody: a model by itself
     };

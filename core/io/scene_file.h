@@ -18,7 +18,7 @@
 
 namespace dirt {
 
-/// The render settings that a .scene file gives (element <tracing>).
+/// The render settings that a .scene file gives (element `<tracing>`).
 struct SceneSettings {
     std::optional<int> tile;                   ///< block_size, pixels
     std::optional<int> bins;                   ///< buckets

@@ -260,8 +260,7 @@ TEST(TextureFile, TellsNormalsFromHeights) {
     const test::TemporaryFolder folder;
     const auto isNormals = [&](int channels, TexelType type, const std::vector<float>& values) {
         const char* name = type == kByte ? "a.png" : "a.exr";
-        return isNormalMap(
-            DecodedImage(writeImage(folder.path() / name, channels, type, values)));
+        return isNormalMap(DecodedImage(writeImage(folder.path() / name, channels, type, values)));
     };
     const std::vector<float> flat{0.5f, 0.5f, 1.0f};
     const std::vector<float> tilted{0.5f, 0.5f, 1.0f, 0.85f, 0.5f, 0.857f, 0.3f, 0.2f, 0.845f};

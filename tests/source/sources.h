@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -33,6 +34,17 @@ inline std::string sourceText(const std::string& file) {
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();
+}
+
+/// What a shell command prints on standard output.
+inline std::string outputOf(const std::string& command) {
+    std::string output;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return output;
+    char line[4096];
+    while (std::fgets(line, sizeof line, pipe)) output += line;
+    pclose(pipe);
+    return output;
 }
 
 } // namespace dirt::test
