@@ -5,6 +5,8 @@
 #include "app/cli/input.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/option_values.h"
+#include "app/cli/pixel_option.h"
+#include "app/cli/ray_image.h"
 #include "core/base/error.h"
 
 #include <array>
@@ -27,6 +29,7 @@ struct ExplainOptions {
     std::optional<Ray> ray;
     std::optional<uint32_t> skip;
     std::optional<float> maxT;
+    std::optional<std::string> image; ///< a PNG file of the rays
     bool json = false;
 };
 
@@ -34,29 +37,23 @@ void print(const std::string& text) {
     std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
-void checkPixel(const std::array<int, 2>& pixel, const RenderSettings& settings,
-                const std::optional<int>& event) {
-    const GridSettings& grid = settings.grid;
-    if (pixel[0] >= grid.width || pixel[1] >= grid.height)
-        throw InputError("--pixel " + std::to_string(pixel[0]) + "," + std::to_string(pixel[1]) +
-                         ": the image has " + std::to_string(grid.width) + "x" +
-                         std::to_string(grid.height) + " pixels");
-    if (event && *event >= settings.bounces)
-        throw InputError("--event " + std::to_string(*event) + ": the path events of " +
-                         std::to_string(settings.bounces) + " bounces are 0 to " +
-                         std::to_string(settings.bounces - 1));
-}
-
 /// 1 where the backend's answer is not that of the definition over its own grid.
 int explainPixel(const ExplainOptions& options, const Input& input, Backend& backend) {
     const auto [x, y] = *options.pixel;
     const uint32_t sample = options.sample.value_or(0);
-    checkPixel(*options.pixel, input.settings, options.event);
+    checkPixel("--pixel", *options.pixel, input.settings);
+    checkEvent(options.event, input.settings);
     catchInterrupts();
     const PathAccount account = accountOf(
         input.scene, input.settings, backend,
         (size_t) y * (size_t) input.settings.grid.width + (size_t) x, sample, interrupted);
     if (interrupted()) return interruptStatus();
+    if (options.image) {
+        const std::string place = std::to_string(x) + ", " + std::to_string(y);
+        const std::string title = "pixel (" + place + "), sample " + std::to_string(sample) +
+                                  " of " + input.scene.name + ", " + backend.name();
+        writeRayImage(*options.image, drawRays(account, title, options.event), title);
+    }
     Json json = {{"scene", input.scene.name},
                  {"backend", backend.name()},
                  {"pixel", {x, y}},
@@ -155,17 +152,24 @@ void checkSubject(const ExplainOptions& o) {
     refuse(o.sample && !o.pixel, "--sample", "--pixel");
     refuse(o.skip && !o.ray, "--skip", "--ray");
     refuse(o.maxT && !o.ray, "--max-t", "--ray");
+    refuse(o.image && !o.pixel && !o.ray, "--image", "--pixel or --ray");
 }
 
 int runExplain(const ExplainOptions& options) {
     checkSubject(options);
+    if (options.image) checkRayImage(*options.image);
     const auto executor = makeExecutor(options.common);
     const Input input = openInput(options.common, *executor);
     const auto backend = makeBackend(options.common, *executor);
+    if (options.image) {
+        checkRayImage(*options.image); // now that the inputs are known
+        if (!backend->hasGrid())
+            throw InputError("--image: the backend " + backend->name() + " has no grid to draw");
+    }
     if (options.ray) {
         AskedRay asked{*options.ray, options.maxT};
         asked.ray.skip = options.skip.value_or(kNoPrimitive);
-        return explainRay(input, *backend, asked, options.json);
+        return explainRay(input, *backend, asked, options.image, options.json);
     }
     return options.pixel ? explainPixel(options, input, *backend)
                          : explainLists(options, input, *backend);
@@ -216,6 +220,7 @@ void addExplain(Command program, int& status) {
                [options](int64_t id) { options->skip = (uint32_t) id; });
     addNumber(command, "--max-t", 0.0f, HUGE_VALF, "ask whether anything is hit before",
               [options](float t) { options->maxT = t; });
+    command.addText("--image", options->image, "draw the rays of --pixel, or --ray, as a PNG file");
     command.addFlag("--json", options->json, "print JSON");
     command.onRun([options, &status] { status = runExplain(*options); });
 }

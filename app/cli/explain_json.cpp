@@ -134,6 +134,9 @@ Json entriesJson(const std::vector<TileEntry>& entries) {
         if (!entry.isDue) continue;
         list.back()["depths"] = {entry.depths.near, entry.depths.far};
         list.back()["due_bins"] = {entry.firstBin, entry.lastBin};
+        list.back()["polygon"] = Json::array();
+        for (const glm::dvec3& corner : entry.polygon)
+            list.back()["polygon"].push_back({corner.x, corner.y, corner.z});
     }
     return list;
 }

@@ -2,6 +2,7 @@
 
 #include "app/cli/explain_json.h"
 #include "app/cli/explain_text.h"
+#include "app/cli/ray_image.h"
 #include "app/cli/verify_report.h"
 #include "core/verify/judge.h"
 #include "core/verify/view_scope.h"
@@ -82,7 +83,8 @@ std::string problemOf(const Answers& answers, const AskedRay& asked) {
 
 } // namespace
 
-int explainRay(const Input& input, Backend& backend, const AskedRay& asked, bool json) {
+int explainRay(const Input& input, Backend& backend, const AskedRay& asked,
+               const std::optional<std::string>& image, bool json) {
     const Scene& scene = input.scene;
     const GridSettings& settings = input.settings.grid;
     const FrameGeometry geometry = makeFrameGeometry(scene.mesh, scene.camera, settings.mode);
@@ -92,6 +94,9 @@ int explainRay(const Input& input, Backend& backend, const AskedRay& asked, bool
     const std::string problem = problemOf(answers, asked);
     const ExplainedRay explained{"asked", asked.ray, asked.maxT, answers.trail};
     const Verdict& truth = answers.truth;
+    const std::string title = "a ray of " + scene.name + ", " + backend.name();
+    if (image)
+        writeRayImage(*image, drawRay(*answers.grid, geometry, *answers.trail, title), title);
 
     if (json) {
         Json object = {{"scene", scene.name}, {"backend", backend.name()}};
@@ -108,8 +113,7 @@ int explainRay(const Input& input, Backend& backend, const AskedRay& asked, bool
         std::printf("%s\n", object.dump(2).c_str());
         return problem.empty() ? 0 : 1;
     }
-    std::string text =
-        "a ray of " + scene.name + ", " + backend.name() + "\n" + rayText(answers.grid, explained);
+    std::string text = title + "\n" + rayText(answers.grid, explained);
     text += "  backend  " +
             (asked.maxT ? blockedText(answers.blocked)
                         : hitText(answers.hit.found(), answers.hit.primitive, answers.hit.t)) +

@@ -4,6 +4,7 @@
 #include "core/trace/ray.h"
 
 #include <optional>
+#include <string>
 
 namespace dirt {
 
@@ -16,6 +17,8 @@ struct AskedRay {
 
 /// Prints a ray's way through the grid of \p backend, what the backend says of it, and the truth.
 /// Holes are not looked at, as in `dirt verify`. 1 where one of the three differs from the others.
-int explainRay(const Input& input, Backend& backend, const AskedRay& asked, bool json);
+/// \p image: a PNG file to draw it into, where the backend has a grid.
+int explainRay(const Input& input, Backend& backend, const AskedRay& asked,
+               const std::optional<std::string>& image, bool json);
 
 } // namespace dirt

@@ -64,6 +64,17 @@ std::string tileText(const TileTrail& tile) {
     return text;
 }
 
+/// Corners in the view's frame, four a line.
+std::string polygonText(const TileEntry& entry) {
+    std::string text;
+    for (size_t i = 0; i < entry.polygon.size(); ++i)
+        text += (i % 4 > 0 ? " "
+                 : i > 0   ? "\n      "
+                           : "    corners (x, y, w) ") +
+                vectorText(entry.polygon[i]);
+    return text.empty() ? text : text + "\n";
+}
+
 std::string cellText(const CellLook& cell) {
     return format("      cell (%d, %d) of level %d: depths %.9g .. %.9g, %s\n", cell.column,
                   cell.row, cell.level, cell.near, cell.far,
@@ -129,41 +140,6 @@ const char* word(Refusal::Reason reason) {
         return "by the float test";
     }
     return "";
-}
-
-std::vector<ExplainedRay> raysOf(const PathAccount& account, const EventAccount& event) {
-    std::vector<ExplainedRay> rays;
-    const auto trail = [&](const Ray& ray) -> std::optional<RayTrail> {
-        if (!account.grid) return {};
-        return closestTrail(*account.grid, account.geometry, ray);
-    };
-    if (event.ray.direction != glm::vec3(0.0f)) {
-        const Ray ray{event.ray.origin, event.ray.direction, event.ray.skip};
-        rays.push_back({event.event == 0 ? "primary" : "indirect", ray, {}, trail(ray)});
-    }
-    if (!event.shadowRay) return rays;
-    const auto& [ray, maxT] = *event.shadowRay;
-    rays.push_back({"shadow", ray, maxT, {}});
-    if (account.grid) rays.back().trail = anyTrail(*account.grid, account.geometry, ray, maxT);
-    return rays;
-}
-
-std::string disagreement(const EventAccount& event, const ExplainedRay& ray) {
-    if (!ray.trail) return "";
-    if (ray.maxT)
-        return ray.trail->blocked == !event.lit
-                   ? ""
-                   : format("the backend says that the light %s the point",
-                            event.lit ? "reaches" : "does not reach");
-    const Hit& hit = ray.trail->hit;
-    if (event.rasterized) {
-        if (event.point.primitive == hit.primitive) return "";
-        return format("rasterization sees primitive %u, the ray hits %u", event.point.primitive,
-                      hit.primitive);
-    }
-    if (event.hit.primitive == hit.primitive && (!hit.found() || event.hit.t == hit.t)) return "";
-    return format("the backend hits %u at t %.9g, the definition %u at %.9g", event.hit.primitive,
-                  (double) event.hit.t, hit.primitive, (double) hit.t);
 }
 
 std::string eventText(const Scene& scene, const PathAccount& account, const EventAccount& event) {
@@ -240,6 +216,7 @@ std::string entriesText(const Scene& scene, const Grid& grid,
             for (const int bin : entry.bins) text += format(" %d", bin);
         }
         text += "\n";
+        text += polygonText(entry);
     }
     return text;
 }

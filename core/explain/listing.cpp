@@ -1,5 +1,6 @@
 #include "core/explain/listing.h"
 
+#include "core/explain/clip_polygon.h"
 #include "core/grid/scan.h"
 
 #include <algorithm>
@@ -9,8 +10,10 @@ namespace dirt {
 namespace {
 
 /// The entry of a triangle in a tile by the rule; \p depths null: there is none.
-TileEntry entryOf(const Grid& grid, uint32_t id, int view, int tile, const DepthInterval* depths) {
-    const int columns = grid.views[(size_t) view].columns;
+TileEntry entryOf(const Grid& grid, const FrameGeometry& geometry, uint32_t id, int view, int tile,
+                  const DepthInterval* depths) {
+    const View& seen = grid.views[(size_t) view];
+    const int columns = seen.columns;
     TileEntry entry;
     entry.id = id;
     entry.view = view;
@@ -22,6 +25,9 @@ TileEntry entryOf(const Grid& grid, uint32_t id, int view, int tile, const Depth
         entry.depths = *depths;
         entry.firstBin = bin(depths->near);
         entry.lastBin = bin(depths->far);
+        ViewTriangle setup;
+        if (setUpTriangle(geometry.triangles[id], seen, setup))
+            entry.polygon = clippedPolygon(setup, seen, entry.column, entry.row);
     }
     for (int b = 0; b < grid.settings.bins; ++b) {
         const auto list = grid.list(view, tile, b);
@@ -51,9 +57,9 @@ std::vector<TileEntry> entriesOfTile(const Grid& grid, const FrameGeometry& geom
             geometry.triangles[id], grid.views[(size_t) view], [&](int t) { return t == tile; },
             [&](int, DepthInterval depths) {
                 due = true;
-                entries.push_back(entryOf(grid, id, view, tile, &depths));
+                entries.push_back(entryOf(grid, geometry, id, view, tile, &depths));
             });
-        if (!due && listed[id]) entries.push_back(entryOf(grid, id, view, tile, nullptr));
+        if (!due && listed[id]) entries.push_back(entryOf(grid, geometry, id, view, tile, nullptr));
     }
     return entries;
 }
@@ -67,11 +73,11 @@ std::vector<TileEntry> entriesOfPrimitive(const Grid& grid, const FrameGeometry&
         const size_t first = entries.size();
         scanTriangle(geometry.triangles[id], view, [&](int tile, DepthInterval depths) {
             due[(size_t) tile] = true;
-            entries.push_back(entryOf(grid, id, (int) v, tile, &depths));
+            entries.push_back(entryOf(grid, geometry, id, (int) v, tile, &depths));
         });
         for (int tile = 0; tile < view.tiles(); ++tile) {
             if (due[(size_t) tile]) continue;
-            TileEntry entry = entryOf(grid, id, (int) v, tile, nullptr);
+            TileEntry entry = entryOf(grid, geometry, id, (int) v, tile, nullptr);
             if (!entry.bins.empty()) entries.push_back(std::move(entry));
         }
         std::sort(entries.begin() + (std::ptrdiff_t) first, entries.end(),

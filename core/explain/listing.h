@@ -5,16 +5,19 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 namespace dirt {
 
 /// A triangle in a tile: what the grid lists, beside what the rule of construction makes of it.
 struct TileEntry {
     uint32_t id = 0;
     int view = 0, column = 0, row = 0;
-    bool isDue = false;             ///< the overlap test and the clip say that the tile lists it
-    DepthInterval depths{};         ///< of its part in the tile, where it is due
-    int firstBin = 0, lastBin = -1; ///< in which it is due
-    std::vector<int> bins;          ///< in which the grid has it
+    bool isDue = false;              ///< the overlap test and the clip say that the tile lists it
+    DepthInterval depths{};          ///< of its part in the tile, where it is due
+    std::vector<glm::dvec3> polygon; ///< of that part, in the view's frame (see clip_polygon.h)
+    int firstBin = 0, lastBin = -1;  ///< in which it is due
+    std::vector<int> bins;           ///< in which the grid has it
 
     /// Whether the grid has it where it is due and nowhere else.
     bool isRight() const;

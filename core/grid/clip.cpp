@@ -1,6 +1,6 @@
 #include "core/grid/clip.h"
 
-#include "core/base/exact_sum.h"
+#include "core/grid/edges_at_corners.h"
 #include "shaders/shared/tile_clip.h"
 
 // The triangle itself is clipped, not its plane, so that edge-on triangles keep their depths. The
@@ -22,18 +22,6 @@
 // more, below 2^-24.
 
 namespace dirt {
-namespace {
-
-/// n . (s, t, 1) for n = a × b: relative error at most 2^-26, exact sign.
-double exactEdgeAtCorner(const glm::dvec3& n, glm::vec3 a, glm::vec3 b, float s, float t) {
-    bool sure = false;
-    const double value = edgeAtCorner(n, s, t, sure);
-    if (sure) return value;
-    if (n == glm::dvec3(0.0)) return 0.0; // an edge without length, or through the eye
-    return tripleProductExact({s, t, 1.0f}, a, b);
-}
-
-} // namespace
 
 bool clipToTile(const ViewTriangle& triangle, const View& view, int column, int row,
                 DepthInterval& out) {
@@ -42,10 +30,7 @@ bool clipToTile(const ViewTriangle& triangle, const View& view, int column, int 
     ClippedDepths depths;
     if (!includeVertices(v.data(), s, t, depths)) {
         double e[12];
-        for (int k = 0; k < 3; ++k)
-            for (int c = 0; c < 4; ++c)
-                e[4 * k + c] = exactEdgeAtCorner(triangle.normals[k], v[k], v[(k + 1) % 3],
-                                                 s[c & 1], t[c >> 1]);
+        edgesAtCorners(triangle, s, t, e);
         includePolygon(v.data(), triangle.normals.data(), triangle.determinant, s, t, e, depths);
     }
     glm::vec2 listed;

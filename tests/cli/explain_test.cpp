@@ -1,10 +1,13 @@
 // `dirt explain` as its users run it.
 
 #include "app/cli/explain_text.h"
+#include "core/io/image.h"
 #include "tests/cli/program.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
 
 namespace dirt::test {
 namespace {
@@ -77,6 +80,11 @@ TEST_F(Explain, ListsATileAndAPrimitive) {
     ASSERT_FALSE(ofPrimitive["entries"].empty());
     for (const Json& entry : ofPrimitive["entries"]) {
         EXPECT_EQ(entry["right"], true);
+        ASSERT_GE(entry["polygon"].size(), 3u);
+        for (const Json& corner : entry["polygon"]) {
+            EXPECT_GE(corner[2], entry["depths"][0]);
+            EXPECT_LE(corner[2], entry["depths"][1]);
+        }
         const std::string at = std::to_string(entry["view"].get<int>()) + "," +
                                std::to_string(entry["tile"][0].get<int>()) + "," +
                                std::to_string(entry["tile"][1].get<int>());
@@ -86,6 +94,35 @@ TEST_F(Explain, ListsATileAndAPrimitive) {
     }
     const Outcome text = explain({"--primitive", "0"});
     EXPECT_NE(text.out.find(", 0 wrong\n"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("    corners (x, y, w) ("), std::string::npos) << text.out;
+}
+
+/// Beside the same text; a disagreement would be drawn, too.
+TEST_F(Explain, DrawsTheRays) {
+    const std::string picture = folder_ / "rays.png";
+    const std::vector<std::string> pixel{"--pixel", "16,16", "--bounces", "2"};
+    std::vector<std::string> drawn = pixel;
+    drawn.insert(drawn.end(), {"--image", picture});
+    const Outcome run = explain(drawn);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.out, explain(pixel).out);
+    const Image all = readImage(picture);
+    const ImageMetadata metadata = readMetadata(picture);
+    ASSERT_EQ(metadata.size(), 1u);
+    EXPECT_EQ(metadata[0].first, "dirt:rays");
+    EXPECT_EQ(metadata[0].second, "pixel (16, 16), sample 0 of a, cpu");
+    drawn.insert(drawn.end(), {"--event", "1"});
+    EXPECT_EQ(explain(drawn).status, 0);
+    EXPECT_LT(readImage(picture).height, all.height);
+    std::filesystem::remove(picture);
+    EXPECT_EQ(explain({"--ray", "0,0,0,0,0,-1", "--image", picture}).status, 0);
+    EXPECT_EQ(readMetadata(picture).at(0).second, "a ray of a, cpu");
+    EXPECT_EQ(error({"--primitive", "0", "--image", picture}),
+              "dirt: --image: has no effect without --pixel or --ray\n");
+    EXPECT_NE(error({"--pixel", "0,0", "--image", folder_ / "a.exr"}).find("is a PNG"),
+              std::string::npos);
+    EXPECT_NE(error({"--pixel", "0,0", "--image", folder_ / "none/a.png"}).find("none"),
+              std::string::npos);
 }
 
 TEST_F(Explain, TellsOfARay) {
@@ -168,6 +205,9 @@ TEST_F(Explain, ToldOfEmbreeToo) {
     EXPECT_EQ(all["events"][0]["traced_hit"]["primitive"], 0);
     EXPECT_FALSE(all["events"][0]["rays"][0].contains("views"));
     EXPECT_NE(error({"--primitive", "0", "--backend", "embree"}).find("has no lists"),
+              std::string::npos);
+    EXPECT_NE(error({"--pixel", "16,16", "--backend", "embree", "--image", folder_ / "a.png"})
+                  .find("has no grid to draw"),
               std::string::npos);
 }
 #endif

@@ -1,0 +1,80 @@
+// What is drawn into pictures stands where it should, and nowhere else.
+
+#include "core/preview/canvas.h"
+
+#include "core/preview/font.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace dirt {
+namespace {
+
+constexpr Colour kInk{200, 100, 50};
+
+size_t inkIn(const Picture& picture) {
+    size_t count = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) count += picture.at(x, y) == kInk;
+    return count;
+}
+
+TEST(Canvas, CutsOffWhatIsOutside) {
+    Picture picture(20, 10);
+    Canvas canvas(picture);
+    canvas.fill({-5, -5, 8, 7}, kInk);
+    EXPECT_EQ(inkIn(picture), 3u * 2u);
+    Canvas part = canvas.within({10, 5, 100, 2});
+    part.fill({0, 0, 100, 100}, kInk);
+    EXPECT_EQ(inkIn(picture), 3u * 2u + 10u * 2u);
+    part.text(0, 0, "cut off", kInk);
+    part.ring({1e30, -1e30}, 5, kInk);
+    part.cross({-3.0, 50.0}, 5, kInk);
+    EXPECT_EQ(inkIn(picture), 3u * 2u + 10u * 2u);
+}
+
+TEST(Canvas, DrawsLinesWithEndsFarAway) {
+    Picture picture(20, 10);
+    Canvas canvas(picture);
+    canvas.line({-1e12, 5.5}, {1e12, 5.5}, kInk);
+    EXPECT_EQ(inkIn(picture), 20u);
+    for (int x = 0; x < 20; ++x) EXPECT_EQ(picture.at(x, 5), kInk);
+    canvas.line({NAN, 0.0}, {1.0, 1.0}, kInk);
+    canvas.line({0.0, 0.0}, {INFINITY, 1.0}, kInk);
+    canvas.line({0.0, -1e12}, {20.0, -1e11}, kInk);
+    EXPECT_EQ(inkIn(picture), 20u);
+}
+
+TEST(Canvas, EnlargesAPicture) {
+    Picture small(2, 1);
+    small.set(1, 0, kInk);
+    Picture picture(10, 5);
+    Canvas(picture).paste(small, 1, 1, 3);
+    EXPECT_EQ(inkIn(picture), 9u);
+    EXPECT_EQ(picture.at(4, 1), kInk);
+    EXPECT_EQ(picture.at(6, 3), kInk);
+    EXPECT_EQ(picture.at(3, 1), Colour(0, 0, 0));
+}
+
+/// Each letter has a shape of its own; one that is not there has a box.
+TEST(Font, TellsLettersApart) {
+    const auto shapeOf = [](char letter) {
+        std::string shape;
+        for (int y = 0; y < kGlyphHeight; ++y)
+            for (int x = 0; x < kGlyphWidth; ++x) shape += isSet(letter, x, y) ? '#' : '.';
+        return shape;
+    };
+    std::set<std::string> shapes;
+    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
+                                ".,:-+=()[]/<>';_ ~";
+    for (const char letter : letters) shapes.insert(shapeOf(letter));
+    EXPECT_EQ(shapes.size(), letters.size());
+    EXPECT_EQ(shapeOf('~'), shapeOf('\xc3'));
+    EXPECT_EQ(shapeOf('T').substr(0, 10), "#####..#..");
+    EXPECT_EQ(shapeOf('_').substr(35, 5), "#####");
+}
+
+} // namespace
+} // namespace dirt
