@@ -1,5 +1,7 @@
 #include "core/base/error.h"
+#include "core/dump/dump.h"
 #include "core/preview/paint.h"
+#include "core/preview/sheet.h"
 
 #include <algorithm>
 #include <string_view>
@@ -7,22 +9,6 @@
 namespace dirt {
 
 namespace {
-
-/// Where the views' pictures lie: one alone, or six in two rows of three.
-struct Sheet {
-    int columns, rows; ///< of a view
-    int across;        ///< views in a row
-
-    Sheet(const Grid& grid, int level)
-        : columns(grid.pyramids[0].levels[(size_t) level].columns),
-          rows(grid.pyramids[0].levels[(size_t) level].rows),
-          across(grid.views.size() > 1 ? 3 : 1) {}
-
-    int width() const { return across * columns; }
-    int height(const Grid& grid) const { return (int) grid.views.size() / across * rows; }
-    int left(size_t view) const { return (int) view % across * columns; }
-    int top(size_t view) const { return (int) view / across * rows; }
-};
 
 /// Calls \p visit(x, y, view, tile) for all cells of a level.
 template <typename Visit>
@@ -67,17 +53,23 @@ PreviewPicture drawFirst(const Grid& grid) {
         for (int b = 0; b < grid.settings.bins; ++b) {
             const auto list = grid.list((int) view, tile, b);
             if (list.empty()) continue;
-            put(picture, x, y, idColour(*std::min_element(list.begin(), list.end())));
+            picture.set(x, y, idColour(*std::min_element(list.begin(), list.end())));
             return;
         }
     });
     return picture;
 }
 
+PreviewPicture drawCells(const Grid& grid, const PreviewRequest& request) {
+    const std::string_view name = request.kind->name;
+    if (name == "first") return drawFirst(grid);
+    if (name == "entries") return drawEntries(grid, request.bin);
+    return drawDepths(grid, request.level, name == "near");
+}
+
 } // namespace
 
 PreviewPicture drawTiles(const Grid& grid, const PreviewRequest& request) {
-    const std::string_view name = request.kind->name;
     const int levels = (int) grid.pyramids[0].levels.size();
     if (request.level >= levels)
         throw InputError("--level " + std::to_string(request.level) + ": the pyramid has " +
@@ -85,9 +77,12 @@ PreviewPicture drawTiles(const Grid& grid, const PreviewRequest& request) {
     if (request.bin >= grid.settings.bins)
         throw InputError("--bin " + std::to_string(request.bin) + ": a tile has " +
                          std::to_string(grid.settings.bins) + ", counted from 0");
-    if (name == "first") return drawFirst(grid);
-    if (name == "entries") return drawEntries(grid, request.bin);
-    return drawDepths(grid, request.level, name == "near");
+    PreviewPicture picture = drawCells(grid, request);
+    const Sheet sheet(grid, request.level);
+    for (size_t view = 0; grid.views.size() > 1 && view < grid.views.size(); ++view)
+        picture.parts.push_back(
+            {{sheet.left(view), sheet.top(view), sheet.columns, sheet.rows}, viewName(grid, view)});
+    return picture;
 }
 
 } // namespace dirt

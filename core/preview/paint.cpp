@@ -10,16 +10,6 @@
 
 namespace dirt {
 
-namespace {
-
-std::string numberText(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
-
-} // namespace
-
 HeatMap::HeatMap(int width, int height, std::string unit)
     : width(width), height(height),
       values((size_t) width * (size_t) height, std::numeric_limits<double>::quiet_NaN()),
@@ -38,33 +28,39 @@ PreviewPicture HeatMap::paint(bool fromZero) const {
         return picture;
     }
     if (fromZero) low = std::min(low, 0.0);
-    picture.scale = numberText(low) + " to " + numberText(high) + " " + unit;
+    picture.scale = scaleNumber(low) + " to " + scaleNumber(high) + " " + unit;
+    picture.colours = FalseColours{low, high, unit};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const double value = values[(size_t) y * (size_t) width + (size_t) x];
             if (std::isnan(value)) continue;
-            // The lowest colour is black, as nothing is: the scale begins a little above.
             const double part = high > low ? (std::min(value, high) - low) / (high - low) : 1.0;
-            put(picture, x, y, falseColour(0.1 + 0.9 * part));
+            picture.set(x, y, heatColour(part));
         }
     return picture;
 }
 
-glm::u8vec3 idColour(uint32_t id) {
+Colour heatColour(double part) {
+    // The lowest colour is black, as nothing is: the scale begins a little above.
+    return falseColour(0.1 + 0.9 * part);
+}
+
+Colour idColour(uint32_t id) {
     if (id == kNoPrimitive) return {0, 0, 0};
-    glm::u8vec3 colour;
+    Colour colour;
     for (int c = 0; c < 3; ++c)
         colour[c] = (uint8_t) (64.0f + 191.0f * randomUnit(id, 0, 0, (uint) c, 0));
     return colour;
 }
 
-void put(PreviewPicture& picture, int x, int y, glm::u8vec3 colour) {
-    const size_t at = 3 * ((size_t) y * (size_t) picture.width + (size_t) x);
-    for (int c = 0; c < 3; ++c) picture.rgb[at + (size_t) c] = colour[c];
+PreviewPicture blank(int width, int height) {
+    return {Picture(width, height), "", {}, {}, {}, false};
 }
 
-PreviewPicture blank(int width, int height) {
-    return {width, height, std::vector<uint8_t>(3 * (size_t) width * (size_t) height, 0), ""};
+std::string scaleNumber(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
 }
 
 } // namespace dirt

@@ -2,8 +2,6 @@
 
 #include "core/preview/preview.h"
 
-#include <glm/vec3.hpp>
-
 namespace dirt {
 
 /// A value a pixel, drawn in false colours from the least to the largest. NaN is black: nothing.
@@ -18,13 +16,16 @@ struct HeatMap {
     PreviewPicture paint(bool fromZero) const;
 };
 
-/// A colour that tells one id from its neighbours; black where there is none.
-glm::u8vec3 idColour(uint32_t id);
+/// The false colour of a part of the scale, from 0 to 1: never black.
+Colour heatColour(double part);
 
-/// Sets a pixel.
-void put(PreviewPicture& picture, int x, int y, glm::u8vec3 colour);
+/// A colour that tells one id from its neighbours; black where there is none.
+Colour idColour(uint32_t id);
 
 /// A picture with nothing in it yet.
 PreviewPicture blank(int width, int height);
+
+/// A number in a picture or beside it, in six digits.
+std::string scaleNumber(double value);
 
 } // namespace dirt

@@ -1,194 +1,167 @@
 #include "core/preview/preview.h"
 
 #include "core/base/error.h"
+#include "core/explain/path_account.h"
 #include "core/frame/passes.h"
 #include "core/frame/renderer.h"
 #include "core/path/tone_mapping.h"
+#include "core/preview/overview.h"
 #include "core/preview/paint.h"
-#include "core/trace/traverse.h"
+#include "core/preview/path_marks.h"
+#include "core/preview/seen.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <string_view>
 
 namespace dirt {
 
 namespace {
 
+using Of = PreviewKind::Of;
+
 constexpr PreviewKind kKinds[] = {
-    {"image", "what render gives", false, false},
-    {"near", "nearest depth of what a tile lists, or a cell of --level", true, false},
-    {"far", "farthest depth of the same", true, false},
-    {"entries", "how many ids a tile lists, or its --bin", true, false},
-    {"first", "the first primitive that a tile lists", true, false},
-    {"cells", "cells of the pyramid that each pixel's ray looks at", false, true},
-    {"tiles", "tiles that it visits", false, true},
-    {"bins", "bins that it visits", false, true},
-    {"tests", "triangles that it tests", false, true},
-    {"hits", "the primitive that it hits", false, true},
-    {"distance", "how far from its origin", false, true},
-    {"mask", "pixels whose path goes on", false, true},
-    {"visibility", "points that the light reaches", false, true},
-    {"position", "where the surface point lies, scaled to the scene's box", false, true},
-    {"normal", "its shading normal; 0 is grey", false, true},
-    {"geometric-normal", "its triangle's normal", false, true},
-    {"diffuse", "its colour", false, true},
-    {"emission", "the radiance it emits", false, true},
-    {"roughness", "of its microfacets", false, true},
-    {"reflectance", "of its microfacets at normal incidence", false, true},
-    {"metallic", "how far it is a metal", false, true},
-    {"shadowmap", "depths that the light sees", false, false},
+    {"image", "what render gives", Of::image},
+    {"overview", "the image, and around it the views with their --buffer", Of::overview},
+    {"near", "nearest depth of what a tile lists, or a cell of --level", Of::views},
+    {"far", "farthest depth of the same", Of::views},
+    {"entries", "how many ids a tile lists, or its --bin", Of::views},
+    {"first", "the first primitive that a tile lists", Of::views},
+    {"cells", "cells of the pyramid that each pixel's ray looks at", Of::event},
+    {"tiles", "tiles that it visits", Of::event},
+    {"bins", "bins that it visits", Of::event},
+    {"tests", "triangles that it tests", Of::event},
+    {"time", "nanoseconds of its walk by the definition, never the same twice", Of::event},
+    {"hits", "the primitive that it hits", Of::event},
+    {"distance", "how far from its origin", Of::event},
+    {"mask", "pixels whose path goes on", Of::event},
+    {"visibility", "points that the light reaches", Of::event},
+    {"primitive", "the primitive that the surface point lies on", Of::point},
+    {"barycentrics", "where on it", Of::point},
+    {"position", "where the surface point lies, scaled to the scene's box", Of::point},
+    {"normal", "its shading normal; 0 is grey", Of::point},
+    {"geometric-normal", "its triangle's normal", Of::point},
+    {"diffuse", "its colour", Of::point},
+    {"emission", "the radiance it emits", Of::point},
+    {"roughness", "of its microfacets", Of::point},
+    {"reflectance", "of its microfacets at normal incidence", Of::point},
+    {"metallic", "how far it is a metal", Of::point},
+    {"shadowmap", "depths that the light sees", Of::light},
 };
 
-/// What a sample has left behind at the event that is asked for.
-struct Seen {
-    FrameGeometry geometry;
-    std::optional<Grid> grid;
-    PathBuffers paths;
-    std::vector<float> shadowMap;
-    std::vector<PathRay> rays; ///< of the event, whether they were traced or not
-};
+/// A preview in the making.
+class Preview {
+public:
+    Preview(const Scene& scene, const RenderSettings& settings, Backend& backend,
+            const PreviewRequest& request, const std::function<bool()>& stop)
+        : scene_(scene), settings_(settings), backend_(backend), request_(request), stop_(stop) {}
 
-[[noreturn]] void missing(const PreviewRequest& request, const std::string& why) {
-    throw InputError(std::string("--show ") + request.kind->name + ": " + why);
-}
-
-/// The picture of a number for each pixel; NaN where there is none.
-template <typename Value>
-PreviewPicture heat(const GridSettings& grid, const std::string& unit, bool fromZero,
-                    const Value& valueOf) {
-    HeatMap map(grid.width, grid.height, unit);
-    for (size_t i = 0; i < map.values.size(); ++i) map.values[i] = valueOf(i);
-    return map.paint(fromZero);
-}
-
-/// The picture of a vector for each pixel, from \p low to \p high.
-template <typename Value>
-PreviewPicture colours(const GridSettings& grid, glm::vec3 low, glm::vec3 high,
-                       const std::string& scale, const Value& valueOf) {
-    PreviewPicture picture = blank(grid.width, grid.height);
-    picture.scale = scale;
-    for (int y = 0; y < grid.height; ++y)
-        for (int x = 0; x < grid.width; ++x) {
-            const std::optional<glm::vec3> value =
-                valueOf((size_t) y * (size_t) grid.width + (size_t) x);
-            if (!value) continue;
-            glm::u8vec3 colour;
-            for (int c = 0; c < 3; ++c) {
-                const float range = high[c] - low[c];
-                const float part = range > 0.0f ? ((*value)[c] - low[c]) / range : 0.0f;
-                colour[c] = (uint8_t) std::lround(255.0f * std::clamp(part, 0.0f, 1.0f));
-            }
-            put(picture, x, y, colour);
+    PreviewPicture draw() {
+        switch (request_.kind->of) {
+        case Of::image:
+            return markPixel(drawImage());
+        case Of::views:
+            return drawViews(request_);
+        case Of::overview:
+            return drawAround();
+        default:
+            return markPixel(drawEvent());
         }
-    return picture;
-}
-
-/// How much work the definition has with each pixel's ray in the backend's grid.
-PreviewPicture drawWork(const Seen& seen, const GridSettings& grid, const PreviewRequest& request) {
-    if (!seen.grid) missing(request, "this backend's structure is no grid");
-    const std::string_view name = request.kind->name;
-    return heat(grid, std::string(name) + " a ray", true, [&](size_t i) {
-        const PathRay& ray = seen.rays[i];
-        if (ray.direction == glm::vec3(0.0f)) return std::nan("");
-        TraversalCounts counts;
-        closestHit(*seen.grid, seen.geometry, {ray.origin, ray.direction, ray.skip}, &counts);
-        return (double) (name == "cells"   ? counts.steps
-                         : name == "tiles" ? counts.tiles
-                         : name == "bins"  ? counts.bins
-                                           : counts.tests);
-    });
-}
-
-PreviewPicture drawPoints(const Seen& seen, const GridSettings& grid, std::string_view name) {
-    const auto& points = seen.paths.next;
-    using Part = std::optional<glm::vec3>;
-    const auto part = [&](auto&& get) {
-        return
-            [&points, get](size_t i) { return points[i].found() ? Part(get(points[i])) : Part(); };
-    };
-    const glm::vec3 one(1.0f);
-    if (name == "normal")
-        return colours(grid, -one, one, "-1 to 1 an axis, grid frame",
-                       part([](const SurfacePoint& p) { return p.shadingNormal; }));
-    if (name == "geometric-normal")
-        return colours(grid, -one, one, "-1 to 1 an axis, grid frame",
-                       part([](const SurfacePoint& p) { return p.geometricNormal; }));
-    if (name == "diffuse")
-        return colours(grid, glm::vec3(0.0f), one, "0 to 1",
-                       part([](const SurfacePoint& p) { return p.diffuse; }));
-    if (name == "position") {
-        glm::vec3 low(INFINITY), high(-INFINITY);
-        for (const SurfacePoint& point : points)
-            for (int c = 0; point.found() && c < 3; ++c) {
-                low[c] = std::min(low[c], point.position[c]);
-                high[c] = std::max(high[c], point.position[c]);
-            }
-        return colours(grid, low, high, "from corner to corner of the box around them",
-                       part([](const SurfacePoint& p) { return p.position; }));
     }
-    const auto number = [&](const char* unit, auto&& get) {
-        return heat(grid, unit, true, [&points, get](size_t i) {
-            return points[i].found() ? (double) get(points[i]) : std::nan("");
-        });
-    };
-    if (name == "roughness") return number("", [](const SurfacePoint& p) { return p.roughness; });
-    if (name == "reflectance")
-        return number("",
-                      [](const SurfacePoint& p) { return (float) (p.gloss & 0xffffu) / 65535.0f; });
-    if (name == "metallic")
-        return number("", [](const SurfacePoint& p) { return (float) (p.gloss >> 16) / 65535.0f; });
-    return number("mean radiance", [](const SurfacePoint& p) {
-        return (p.emission.x + p.emission.y + p.emission.z) / 3.0f;
-    });
-}
 
-PreviewPicture drawShadowMap(const std::vector<float>& depths) {
-    const int side = (int) std::lround(std::sqrt((double) depths.size()));
-    HeatMap map(side, side, "of depth from the light");
-    for (size_t i = 0; i < depths.size(); ++i)
-        if (depths[i] < 3e38f) map.values[i] = (double) depths[i]; // else nothing casts there
-    return map.paint(false);
-}
+private:
+    bool stopped() const { return stop_ && stop_(); }
 
-PreviewPicture drawPixels(const Seen& seen, const GridSettings& grid,
-                          const PreviewRequest& request) {
-    const std::string_view name = request.kind->name;
-    if (name == "cells" || name == "tiles" || name == "bins" || name == "tests")
-        return drawWork(seen, grid, request);
-    const PathBuffers& paths = seen.paths;
-    if (name == "mask" || name == "visibility") {
-        const std::vector<uint8_t>& flags = name == "mask" ? paths.mask : paths.visibility;
-        if (flags.empty()) missing(request, "this frame has none");
-        return colours(grid, glm::vec3(0.0f), glm::vec3(1.0f), "black: no, white: yes",
-                       [&](size_t i) { return std::optional(glm::vec3((float) (flags[i] != 0))); });
-    }
-    if (name == "hits") {
-        PreviewPicture picture = blank(grid.width, grid.height);
-        picture.scale = "a colour for each primitive";
-        for (int y = 0; y < grid.height; ++y)
-            for (int x = 0; x < grid.width; ++x)
-                put(picture, x, y,
-                    idColour(paths.next[(size_t) y * (size_t) grid.width + (size_t) x].primitive));
+    PreviewPicture drawImage() {
+        RenderHooks hooks;
+        hooks.stop = stop_;
+        const Image image = Renderer(scene_, settings_, backend_).render(hooks).image;
+        PreviewPicture picture = blank(image.width, image.height);
+        picture.rgb = DisplayEncoding(scene_.toneMapping).bytes(image.pixels);
+        picture.scale = "tone-mapped";
+        picture.bare = true;
         return picture;
     }
-    if (name == "distance")
-        return heat(grid, "in the grid frame", false, [&](size_t i) {
-            if (!paths.next[i].found()) return std::nan("");
-            const glm::dvec3 way =
-                glm::dvec3(paths.next[i].position) - glm::dvec3(seen.rays[i].origin);
-            return std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
-        });
-    return drawPoints(seen, grid, name);
-}
 
-PreviewPicture drawImage(const Scene& scene, const RenderSettings& settings, Backend& backend,
-                         const RenderHooks& hooks) {
-    const Image image = Renderer(scene, settings, backend).render(hooks).image;
-    return {image.width, image.height, DisplayEncoding(scene.toneMapping).bytes(image.pixels),
-            "tone-mapped"};
-}
+    PreviewPicture markPixel(PreviewPicture picture) const {
+        if (request_.path) picture.marks = marksOfPixel(*request_.path);
+        return picture;
+    }
+
+    /// Of the grid, which a path is traced in if one is asked for.
+    PreviewPicture drawViews(const PreviewRequest& request) {
+        if (!backend_.hasGrid()) missing(request_, "this backend's structure is no grid");
+        if (!request.path) {
+            backend_.build(scene_.mesh, scene_.camera, settings_.grid);
+            grid_ = backend_.readGrid();
+            return drawTiles(*grid_, request);
+        }
+        const auto [x, y] = request.path->pixel;
+        const size_t pixel = (size_t) y * (size_t) settings_.grid.width + (size_t) x;
+        PathAccount account = accountOf(scene_, settings_, backend_, pixel, request.sample, stop_);
+        if (!account.grid) return {}; // it was stopped
+        PreviewPicture picture = drawTiles(*account.grid, request);
+        picture.marks = marksOfPath(account, *request.path, request.level);
+        grid_ = std::move(account.grid);
+        return picture;
+    }
+
+    PreviewPicture drawAround() {
+        PreviewRequest views = request_;
+        views.kind = request_.around;
+        const PreviewPicture sheet = drawViews(views);
+        if (stopped() || !grid_) return {};
+        PreviewPicture image = markPixel(drawImage());
+        if (stopped()) return {};
+        image.marks.keys.clear(); // those of the views say which pixel it is
+        return drawOverview(image, sheet, *grid_, scene_.camera, request_.level);
+    }
+
+    PreviewPicture drawEvent() {
+        if (request_.event >= settings_.bounces)
+            missing(request_, "the path events of " + std::to_string(settings_.bounces) +
+                                  " bounces are 0 to " + std::to_string(settings_.bounces - 1));
+        const Seen seen = look();
+        if (seen.rays.empty()) return {}; // it was stopped
+        if (request_.kind->of == Of::light) return drawShadowMap(seen, request_);
+        if (request_.kind->of == Of::point) return drawPoints(seen, settings_.grid, request_);
+        return drawPixels(seen, settings_.grid, request_);
+    }
+
+    /// Renders the sample and looks at its event.
+    Seen look() {
+        RenderSettings one = settings_;
+        one.samples = 1;
+        const Requirements need = requirementsOf(scene_, one, backend_.rasterizes());
+        Seen seen;
+        RenderHooks hooks;
+        hooks.stop = stop_;
+        hooks.observe = [&](uint32_t, int event) {
+            if (event != request_.event) return;
+            seen.geometry = backend_.readGeometry();
+            seen.geometry.cutOuts = need.cutOuts ? &scene_ : nullptr;
+            if (backend_.hasGrid()) seen.grid = backend_.readGrid();
+            seen.paths = backend_.readPaths();
+            seen.shadowMap = backend_.readShadowMap();
+            seen.rays = seen.paths.rays;
+            if (event > 0 || need.tracedPrimary) return;
+            const FrameContext frame(scene_, seen.geometry, one, need);
+            seen.rays.resize(seen.paths.pixels());
+            for (size_t i = 0; i < seen.rays.size(); ++i)
+                seen.rays[i] = primaryRay(frame, i, request_.sample);
+        };
+        Renderer renderer(scene_, one, backend_);
+        renderer.beginAt(request_.sample);
+        if (request_.point != PointChoice::next) renderer.keepPreviousPoint();
+        renderer.render(hooks);
+        return seen;
+    }
+
+    const Scene& scene_;
+    const RenderSettings& settings_;
+    Backend& backend_;
+    const PreviewRequest& request_;
+    const std::function<bool()>& stop_;
+    std::optional<Grid> grid_; ///< that the views were drawn of
+};
 
 } // namespace
 
@@ -196,48 +169,15 @@ std::span<const PreviewKind> previewKinds() {
     return kKinds;
 }
 
+const PreviewKind* previewKind(std::string_view name) {
+    for (const PreviewKind& kind : kKinds)
+        if (name == kind.name) return &kind;
+    return nullptr;
+}
+
 PreviewPicture drawPreview(const Scene& scene, const RenderSettings& settings, Backend& backend,
                            const PreviewRequest& request, const std::function<bool()>& stop) {
-    const std::string_view name = request.kind->name;
-    RenderHooks hooks;
-    hooks.stop = stop;
-    if (name == "image") return drawImage(scene, settings, backend, hooks);
-    if (request.kind->perView) {
-        if (!backend.hasGrid()) missing(request, "this backend's structure is no grid");
-        backend.build(scene.mesh, scene.camera, settings.grid);
-        return drawTiles(backend.readGrid(), request);
-    }
-    if (request.event >= settings.bounces)
-        missing(request, "the path events of " + std::to_string(settings.bounces) +
-                             " bounces are 0 to " + std::to_string(settings.bounces - 1));
-    RenderSettings one = settings;
-    one.samples = 1;
-    const Requirements need = requirementsOf(scene, one, backend.rasterizes());
-    Seen seen;
-    hooks.observe = [&](uint32_t, int event) {
-        if (event != request.event) return;
-        seen.geometry = backend.readGeometry();
-        seen.geometry.cutOuts = need.cutOuts ? &scene : nullptr;
-        if (backend.hasGrid()) seen.grid = backend.readGrid();
-        seen.paths = backend.readPaths();
-        seen.shadowMap = backend.readShadowMap();
-        seen.rays = seen.paths.rays;
-        if (event > 0 || need.tracedPrimary) return;
-        const FrameContext frame(scene, seen.geometry, one, need);
-        seen.rays.resize(seen.paths.pixels());
-        for (size_t i = 0; i < seen.rays.size(); ++i)
-            seen.rays[i] = primaryRay(frame, i, request.sample);
-    };
-    Renderer renderer(scene, one, backend);
-    renderer.beginAt(request.sample);
-    renderer.render(hooks);
-    if (seen.rays.empty()) return {}; // it was stopped
-    if (name == "shadowmap") {
-        if (seen.shadowMap.empty())
-            missing(request, "this frame has none (--visibility shadowmap)");
-        return drawShadowMap(seen.shadowMap);
-    }
-    return drawPixels(seen, settings.grid, request);
+    return Preview(scene, settings, backend, request, stop).draw();
 }
 
 } // namespace dirt

@@ -32,8 +32,8 @@ TEST_F(Preview, WritesAPictureThatSaysWhatItIs) {
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_NE(run.err.find("picture.png: entries, 0 to "), std::string::npos) << run.err;
     const Image image = readImage(picture_);
-    EXPECT_EQ(image.width, 6); // three views of 16 pixels
-    EXPECT_EQ(image.height, 4);
+    EXPECT_EQ(image.width, 768);       // three views of two tiles, enlarged
+    EXPECT_EQ(image.height, 512 + 42); // with the scale below
     const ImageMetadata metadata = readMetadata(picture_);
     const auto has = [&](const std::string& key, const std::string& value) {
         return std::find(metadata.begin(), metadata.end(), std::pair(key, value)) != metadata.end();
@@ -42,10 +42,24 @@ TEST_F(Preview, WritesAPictureThatSaysWhatItIs) {
     EXPECT_TRUE(has("dirt:backend", "cpu"));
 }
 
+TEST_F(Preview, MarksPathsAndShowsTheViewsAround) {
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{"--show", "entries", "--path", "16,8", "--event", "0"},
+          {"--show", "normal", "--path", "16,8", "--point", "current", "--event", "1"},
+          {"--show", "overview", "--path", "16,8", "--sample", "1"},
+          {"--show", "overview", "--buffer", "near", "--tile", "4", "--level", "1"},
+          {"--path", "16,8"}}) {
+        const Outcome run = preview(options);
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_GE(readImage(picture_).width, 768);
+        std::filesystem::remove(picture_);
+    }
+}
+
 TEST_F(Preview, ListsWhatThereIs) {
     const Outcome run = dirt({"preview", "--list"});
     EXPECT_EQ(run.status, 0) << run.err;
-    for (const char* name : {"image ", "entries ", "normal ", "shadowmap "})
+    for (const char* name : {"image ", "overview ", "entries ", "time ", "normal ", "shadowmap "})
         EXPECT_NE(run.out.find(name), std::string::npos) << name;
 }
 
@@ -60,6 +74,21 @@ TEST_F(Preview, RefusesWhatItCannotShow) {
               "dirt: --event: has no effect with --show near\n");
     EXPECT_EQ(error({"--show", "hits", "--spp", "2"}),
               "dirt: --spp: has no effect with --show hits\n");
+    EXPECT_EQ(error({"--show", "entries", "--event", "0"}),
+              "dirt: --event: has no effect with --show entries\n");
+    EXPECT_EQ(error({"--show", "hits", "--point", "next"}),
+              "dirt: --point: has no effect with --show hits\n");
+    EXPECT_EQ(error({"--show", "hits", "--buffer", "near"}),
+              "dirt: --buffer: has no effect with --show hits\n");
+    EXPECT_EQ(error({"--show", "overview", "--buffer", "hits"}),
+              "dirt: --buffer 'hits': one of near, far, entries, first\n");
+    EXPECT_EQ(error({"--show", "overview", "--level", "1"}),
+              "dirt: --level: has no effect with --show overview --buffer entries\n");
+    EXPECT_EQ(error({"--show", "shadowmap", "--path", "0,0"}),
+              "dirt: --path: has no effect with --show shadowmap\n");
+    EXPECT_EQ(error({"--path", "32,0"}), "dirt: --path 32,0: the image has 32x16 pixels\n");
+    EXPECT_EQ(error({"--show", "near", "--path", "0,0", "--event", "3"}),
+              "dirt: --event 3: the path events of 3 bounces are 0 to 2\n");
     EXPECT_NE(error({"--show", "shadowmap"}).find("this frame has none"), std::string::npos);
     for (const auto& [file, said] :
          {std::pair(folder_ / "a.exr", std::string("a preview is a PNG")),

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/explain/path_account.h"
+#include "core/preview/preview.h"
+
+namespace dirt {
+
+/// The tiles that the rays of a pixel visit, their images and hits, over a picture of all views'
+/// cells of a \p level: of one event, or of all. \p account must have a grid.
+Marks marksOfPath(const PathAccount& account, const PathRequest& path, int level);
+
+/// The pixel itself, over a picture of the image's pixels.
+Marks marksOfPixel(const PathRequest& path);
+
+} // namespace dirt
