@@ -351,6 +351,22 @@ void GlBackend::writeShadowMap(const std::vector<float>& depths) {
     context_.check();
 }
 
+std::vector<SurfacePoint> GlBackend::readPoints() const {
+    context_.makeCurrent();
+    const PackedPoints packed = passes_.paths().readPackedPoints();
+    std::vector<SurfacePoint> points =
+        packed.empty() ? passes_.paths().readPoints() : unpack(packed, triangles_.read());
+    context_.check();
+    return points;
+}
+
+std::vector<glm::vec3> GlBackend::readRadiance() const {
+    context_.makeCurrent();
+    std::vector<glm::vec3> radiance = passes_.paths().readRadiance();
+    context_.check();
+    return radiance;
+}
+
 std::vector<glm::vec3> GlBackend::readImage() const {
     context_.makeCurrent();
     std::vector<glm::vec3> image = passes_.paths().readImage();

@@ -75,6 +75,8 @@ public:
     void writeGrid(const Grid& grid) override;
     PathBuffers readPaths() const override;
     void writePaths(const PathBuffers& paths) override;
+    std::vector<SurfacePoint> readPoints() const override;
+    std::vector<glm::vec3> readRadiance() const override;
     std::vector<float> readShadowMap() const override;
     void writeShadowMap(const std::vector<float>& depths) override;
     std::vector<glm::vec3> readImage() const override;

@@ -105,6 +105,20 @@ PathBuffers GlPathBuffers::read() const {
     return paths;
 }
 
+std::vector<SurfacePoint> GlPathBuffers::readPoints() const {
+    if (format_.packed()) return {};
+    return readAll<SurfacePoint>(next_);
+}
+
+PackedPoints GlPathBuffers::readPackedPoints() const {
+    if (!format_.packed()) return {};
+    return {format_, readAll<uint32_t>(next_)};
+}
+
+std::vector<glm::vec3> GlPathBuffers::readRadiance() const {
+    return readAll<glm::vec3>(radiance_);
+}
+
 std::vector<glm::vec3> GlPathBuffers::readImage() const {
     return readAll<glm::vec3>(image_);
 }

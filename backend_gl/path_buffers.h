@@ -40,6 +40,10 @@ public:
     const PointFormat& format() const { return format_; }
     /// \p paths: the buffers that there are, all of them, as they are kept.
     void write(const PathBuffers& paths);
+    /// The newest points, G[k+1]: one of the two has them, the other is empty.
+    std::vector<SurfacePoint> readPoints() const;
+    PackedPoints readPackedPoints() const;
+    std::vector<glm::vec3> readRadiance() const;
     std::vector<glm::vec3> readImage() const;
 
     /// Clears what the sample has gathered.

@@ -1,6 +1,7 @@
 #include "app/cli/explain_text.h"
 
 #include "core/dump/dump.h"
+#include "core/path/world_position.h"
 
 #include <cstdarg>
 #include <cstdio>
@@ -25,15 +26,6 @@ std::string vectorText(glm::dvec3 v) {
 std::string materialOf(const Scene& scene, uint32_t primitive) {
     if (primitive >= scene.mesh.materials.size()) return "";
     return " of '" + scene.materials[scene.mesh.materials[primitive]].name + "'";
-}
-
-/// A point of the grid frame in the coordinates of the scene's files, as near as float has it.
-glm::dvec3 inFiles(const Scene& scene, const GridFrame& frame, glm::vec3 p) {
-    glm::dvec3 q(p);
-    if (frame.mode == ViewMode::single) // the rotation's inverse is its transpose
-        q = q.x * glm::dvec3(frame.right) + q.y * glm::dvec3(frame.down) +
-            q.z * glm::dvec3(frame.forward);
-    return scene.origin + glm::dvec3(frame.eye) + q / (double) frame.scale;
 }
 
 std::string signText(const Refusal& refusal) {
@@ -150,8 +142,8 @@ std::string eventText(const Scene& scene, const PathAccount& account, const Even
         text +=
             format("  point    primitive %u%s, u %.6g, v %.6g\n", point.primitive,
                    materialOf(scene, point.primitive).c_str(), (double) point.u, (double) point.v);
-        text += "  at       " + vectorText(inFiles(scene, account.geometry.frame, point.position)) +
-                "\n";
+        text += "  at       " +
+                vectorText(worldPosition(scene, account.geometry.frame, point.position)) + "\n";
         text += "  normal   " + vectorText(point.shadingNormal) + ", of the triangle " +
                 vectorText(point.geometricNormal) + "\n";
         text += "  diffuse  " + vectorText(point.diffuse) + "\n";

@@ -6,6 +6,7 @@
 #include "app/cli/json_report.h"
 #include "app/cli/option_values.h"
 #include "app/cli/progress_bar.h"
+#include "core/aov/aovs.h"
 #include "core/base/error.h"
 #include "core/frame/renderer.h"
 #include "core/io/image.h"
@@ -13,11 +14,13 @@
 #include "core/io/output_file.h"
 #include "core/path/tone_mapping.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +40,7 @@ struct RenderOptions {
     std::optional<FrameRange> frames; ///< none: the one of the common options
     std::string output;               ///< empty: the scene's name with .png, in the current folder
     std::string stats;                ///< empty: none
+    std::vector<std::string> aovs;    ///< layers beside the image
     bool json = false;
 };
 
@@ -56,9 +60,15 @@ std::string freeName(const std::string& name) {
     return free;
 }
 
-void writeImage(const std::string& path, const Input& input, const RenderResult& result) {
+void writeImage(const std::string& path, const Input& input, const RenderResult& result,
+                const Aovs& aovs) {
     const Image& image = result.image;
     const ImageMetadata metadata = metadataOf(input, input.settings, result.samples);
+    if (!aovs.empty()) {
+        const ExrPart picture = aovs.picture(image);
+        writeExr(path, std::span(&picture, 1), metadata);
+        return;
+    }
     if (imageFormat(path) == ImageFormat::exr) {
         writeExr(path, image, metadata);
         return;
@@ -94,6 +104,7 @@ public:
         input_ = openInput(common_, *executor_);
         output_ = options_.output.empty() ? input_.scene.name + ".png" : options_.output;
         if (!options_.stats.empty()) checkWritable(options_.stats); // now that its inputs are known
+        checkAovs();
         const FrameRange frames = options_.frames.value_or(FrameRange{input_.frame, input_.frame});
         checkFrames(frames);
         if (options_.frames && input_.scene.animation.empty() && !common_.quiet)
@@ -114,7 +125,8 @@ public:
     }
 
 private:
-    void checkOutputs() const {
+    void checkOutputs() {
+        aovs_ = aovKindsOf(options_.aovs);
         if (options_.frames && common_.frame)
             throw InputError("--frame and --frames exclude each other");
         if (!options_.output.empty()) {
@@ -122,6 +134,25 @@ private:
             if (!options_.frames) checkWritable(options_.output);
         }
         if (!options_.stats.empty()) checkWritable(options_.stats);
+    }
+
+    /// Layers that have nowhere to go, no samples to be made of, or no room.
+    void checkAovs() const {
+        if (options_.aovs.empty()) return;
+        if (imageFormat(output_) == ImageFormat::png)
+            throw InputError("--aov: " + output_ + ": a PNG has no layers; name an EXR, as in -o " +
+                             input_.scene.name + ".exr");
+        if (input_.settings.samples == 1 && std::find(options_.aovs.begin(), options_.aovs.end(),
+                                                      "variance") != options_.aovs.end())
+            throw InputError("--aov variance: one sample has none; --spp 2 or more");
+        const GridSettings& grid = input_.settings.grid;
+        const uint64_t bytes = aovBytes(aovs_, (uint64_t) grid.width * (uint64_t) grid.height);
+        const MemoryUse& memory = input_.memory;
+        if (memory.scene + memory.frame + bytes > memory.limit)
+            throw InputError("--aov: these layers need " + memoryText(bytes) + " beside the " +
+                             memoryText(memory.scene + memory.frame) +
+                             " of scene and frame; they may take " + memoryText(memory.limit) +
+                             " in all (--memory)");
     }
 
     /// The scene's name may be that of a texture beside it.
@@ -153,11 +184,15 @@ private:
             moveInput(input_, common_, frame, *executor_);
             checkPrecision(input_, common_, *executor_);
         }
+        Aovs aovs(aovs_, input_.scene, input_.settings);
         RenderHooks hooks;
         hooks.stop = interrupted;
         hooks.progress = [&](int done, int total) {
+            aovs.finishSample();
             bar.show(place * total + done, count * total);
         };
+        if (!aovs.empty())
+            hooks.observe = [&](uint32_t, int event) { aovs.observe(*backend_, event); };
         const RenderResult result =
             Renderer(input_.scene, input_.settings, *backend_).render(hooks);
         const bool stopped = result.samples < input_.settings.samples;
@@ -173,7 +208,7 @@ private:
         if (result.counts.clamped > 0) bar.clear();
         noteClamped(result, common_.quiet);
         if (written) {
-            writeImage(outputOf(frame), input_, result);
+            writeImage(outputOf(frame), input_, result, aovs);
             bar.clear();
             if (!common_.quiet) std::fprintf(stderr, "%s\n", outputOf(frame).c_str());
         }
@@ -196,6 +231,7 @@ private:
     std::unique_ptr<Executor> executor_;
     std::unique_ptr<Backend> backend_;
     Input input_;
+    std::vector<const AovKind*> aovs_;
     std::vector<Json> reports_; ///< of each frame, where they are asked for
 };
 
@@ -212,6 +248,9 @@ void addRender(Command program, int& status) {
              [options](int first, int last) {
                  options->frames = FrameRange{first, last};
              });
+    command.addTexts("--aov", options->aovs, "layers beside the image in the EXR: of " + aovNames())
+        .commaSeparated()
+        .oneWord();
     command.addText("--stats", options->stats, "write what the run measured to FILE.json");
     command.addFlag("--json", options->json, "print the same on standard output");
     command.onRun([options, &status] { status = Render(*options).run(); });

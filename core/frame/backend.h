@@ -81,6 +81,10 @@ public:
     /// Buffers that the frame does not need are empty.
     virtual PathBuffers readPaths() const = 0;
     virtual void writePaths(const PathBuffers& paths) = 0;
+    /// Parts of it, for whoever looks into every sample: G[k+1] in full, and what the sample has
+    /// gathered.
+    virtual std::vector<SurfacePoint> readPoints() const = 0;
+    virtual std::vector<glm::vec3> readRadiance() const = 0;
     /// Depths of the shadow map, row by row; empty where there is none.
     virtual std::vector<float> readShadowMap() const = 0;
     virtual void writeShadowMap(const std::vector<float>& depths) = 0;

@@ -78,6 +78,10 @@ void HostBackend::writePaths(const PathBuffers& paths) {
     paths_ = paths.packed(frame_ ? pointFormatOf(frame_->requirements) : PointFormat{}, *geometry_);
 }
 
+std::vector<SurfacePoint> HostBackend::readPoints() const {
+    return paths_.packedNext.empty() ? paths_.next : unpack(paths_.packedNext, *geometry_);
+}
+
 Grid HostBackend::readGrid() const {
     throw std::logic_error(name() + " has no grid");
 }

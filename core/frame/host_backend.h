@@ -41,6 +41,8 @@ public:
     void writeGrid(const Grid& grid) override;
     PathBuffers readPaths() const override { return paths_.unpacked(*geometry_); }
     void writePaths(const PathBuffers& paths) override;
+    std::vector<SurfacePoint> readPoints() const override;
+    std::vector<glm::vec3> readRadiance() const override { return paths_.radiance; }
     std::vector<float> readShadowMap() const override { return shadowDepths_; }
     void writeShadowMap(const std::vector<float>& depths) override { shadowDepths_ = depths; }
     std::vector<glm::vec3> readImage() const override { return paths_.image; }

@@ -25,7 +25,7 @@ OIIO::ImageSpec specOf(const Part& part, const ImageMetadata& metadata) {
     for (const ExrChannel& channel : part.channels) spec.channelformats.push_back(typeOf(channel));
     describeImage(spec, metadata);
     spec.attribute("compression", "zips");
-    spec.attribute("oiio:subimagename", part.name);
+    if (!part.name.empty()) spec.attribute("oiio:subimagename", part.name);
     return spec;
 }
 

@@ -18,7 +18,7 @@ struct ExrChannel {
 
 /// One part of a multi-part EXR file: an image with any channels.
 struct ExrPart {
-    std::string name;
+    std::string name; ///< may be empty where there is no other
     int width = 0, height = 0;
     std::vector<ExrChannel> channels;
     std::vector<uint32_t> values; ///< bits, row-major, the channels of a pixel together

@@ -1,4 +1,5 @@
-// Blender, where it is installed, has a pass for each of a dump's numbers and vectors.
+// Blender, where it is installed, has a pass for each of a dump's numbers and
+// vectors, and for each layer beside a render.
 
 #include "tests/cli/program.h"
 
@@ -58,6 +59,20 @@ TEST_F(Blender, HasAPassForEachNumberOfADump) {
             "- blocker/VALUE column/VALUE direction/RGBA occluded/VALUE origin/RGBA "
             "row/VALUE skip/VALUE t/VALUE tMax/VALUE view/VALUE",
             "- alive/VALUE", "- visible/VALUE", "- a/RGBA b/RGBA c/RGBA"}));
+}
+
+TEST_F(Blender, HasAPassForEachLayerOfARender) {
+    const std::string to = folder_ / "a.exr";
+    ASSERT_EQ(dirt({"render", scene_, "--quiet", "--size", "32x24", "--spp", "2", "--aov",
+                    "albedo,emission,normal,geometricNormal,roughness,depth,position,id,variance",
+                    "-o", to})
+                  .status,
+              0);
+    EXPECT_EQ(passesOf({to}),
+              (std::vector<std::string>{
+                  "- Alpha/VALUE Combined/RGBA albedo/RGBA depth/VALUE emission/RGBA "
+                  "geometricNormal/RGBA id/VALUE normal/RGBA position/RGBA roughness/VALUE "
+                  "variance/RGBA"}));
 }
 
 } // namespace

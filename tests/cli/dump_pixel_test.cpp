@@ -68,6 +68,8 @@ protected:
     Outcome dump(std::vector<std::string> options) {
         options.insert(options.begin(), {"dump", scene_, "--quiet", "--size", "40x28", "--backend",
                                          GetParam(), "--sample", "1"});
+        if (GetParam() != std::string("embree"))
+            options.insert(options.end(), {"--tile", "8", "--bins", "6"});
         return dirt(options);
     }
     json pixel(int x, int y, const std::vector<std::string>& more = {}) {
