@@ -45,7 +45,8 @@ PathAccount accountOf(const Scene& scene, RenderSettings settings, Backend& back
     account.sample = sample;
     const Requirements need = requirementsOf(scene, settings, backend.rasterizes());
     RenderHooks hooks;
-    hooks.stop = stop;
+    bool ended = false; // nothing more happens to the pixel
+    hooks.stop = [&] { return ended || (stop && stop()); };
     hooks.observe = [&](uint32_t, int event) {
         if (event == 0) {
             account.geometry = backend.readGeometry();
@@ -54,9 +55,11 @@ PathAccount accountOf(const Scene& scene, RenderSettings settings, Backend& back
         }
         const FrameContext frame(scene, account.geometry, settings, need);
         const PathBuffers paths = backend.readPaths();
-        if (!paths.alive(event, pixel)) return;
+        ended = !paths.alive(event, pixel);
+        if (ended) return;
         account.events.push_back(eventOf(frame, event, paths, pixel, sample, account.radiance));
         account.radiance = paths.radiance[pixel];
+        ended = !account.events.back().point.found() || event + 1 == settings.bounces;
     };
     Renderer renderer(scene, settings, backend);
     renderer.beginAt(sample);

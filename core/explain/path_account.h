@@ -38,8 +38,8 @@ struct PathAccount {
     std::optional<Grid> grid; ///< where the backend's structure is one
 };
 
-/// Renders one sample of the whole image with \p backend and takes down what happened to one pixel.
-/// \p scene must outlive the account, whose geometry may ask it for cut-outs.
+/// Renders one sample of the whole image with \p backend and takes down what happened to one pixel,
+/// until its path ends. \p scene must outlive the account, whose geometry may ask it for cut-outs.
 PathAccount accountOf(const Scene& scene, RenderSettings settings, Backend& backend, size_t pixel,
                       uint32_t sample, const std::function<bool()>& stop = {});
 

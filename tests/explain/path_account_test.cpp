@@ -5,6 +5,7 @@
 #include "backend_cpu/cpu_backend.h"
 #include "backend_cpu/thread_pool.h"
 #include "core/explain/ray_trail.h"
+#include "core/frame/forwarding_backend.h"
 #include "core/frame/renderer.h"
 #include "tests/support/golden_scenes.h"
 
@@ -84,6 +85,33 @@ TEST_P(PathAccountOf, AddsUpWithEmbree) {
     expectSums(backend);
 }
 #endif
+
+/// Counts the events that are traced.
+class CountingBackend final : public ForwardingBackend {
+public:
+    using ForwardingBackend::ForwardingBackend;
+    void trace(int event) override {
+        ++traces;
+        ForwardingBackend::trace(event);
+    }
+    size_t traces = 0;
+};
+
+/// What happens to other pixels after the path's end is not waited for.
+TEST_P(PathAccountOf, EndsWithThePath) {
+    CpuBackend cpu(pool_);
+    settings_.bounces = 4;
+    settings_.roulette = false;
+    for (size_t pixel = 5; pixel < 1152; pixel += 97) {
+        CountingBackend backend(cpu);
+        const PathAccount account = accountOf(loaded_.scene, settings_, backend, pixel, 0);
+        ASSERT_FALSE(account.events.empty());
+        const size_t traced = account.events.size() - (account.events[0].rasterized ? 1 : 0);
+        // A path that ends on a surface that reflects nothing has one event more, without it.
+        const bool onSurface = account.events.back().point.found() && account.events.size() < 4;
+        EXPECT_EQ(backend.traces, traced + (onSurface ? 1 : 0));
+    }
+}
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PathAccountOf, testing::ValuesIn(test::goldenScenes()),
                          [](const auto& info) { return info.param; });
