@@ -6,8 +6,9 @@ namespace dirt {
 
 namespace {
 
-/// The event that has just been shaded. \p before: the radiance that the path had gathered.
-EventAccount eventOf(const FrameContext& frame, int event, const PathBuffers& paths, size_t pixel,
+/// The event that has just been shaded. \p path: the pixel's records; \p before: the radiance that
+/// it had gathered.
+EventAccount eventOf(const FrameContext& frame, int event, const PathBuffers& path, size_t pixel,
                      uint32_t sample, glm::vec3 before) {
     EventAccount account;
     account.event = event;
@@ -15,13 +16,13 @@ EventAccount eventOf(const FrameContext& frame, int event, const PathBuffers& pa
     if (account.rasterized) {
         account.ray = primaryRay(frame, pixel, sample);
     } else {
-        account.ray = paths.rays[pixel];
-        account.hit = paths.hits[pixel];
+        account.ray = path.rays[0];
+        account.hit = path.hits[0];
     }
-    account.point = paths.next[pixel];
-    account.shadowRay = shadowRay(frame, event, paths, pixel);
-    account.lit = account.shadowRay && paths.visibility[pixel] != 0;
-    account.gathered = paths.radiance[pixel];
+    account.point = path.next[0];
+    account.shadowRay = shadowRay(frame, event, path, 0);
+    account.lit = account.shadowRay && path.visibility[0] != 0;
+    account.gathered = path.radiance[0];
     account.added = account.gathered - before;
     const glm::vec3 throughput = event == 0 ? glm::vec3(1.0f) : account.ray.throughput;
     const bool seesBackground = event == 0 || frame.settings.grid.mode == ViewMode::full;
@@ -54,11 +55,11 @@ PathAccount accountOf(const Scene& scene, RenderSettings settings, Backend& back
             if (backend.hasGrid()) account.grid = backend.readGrid();
         }
         const FrameContext frame(scene, account.geometry, settings, need);
-        const PathBuffers paths = backend.readPaths();
-        ended = !paths.alive(event, pixel);
+        const PathBuffers path = backend.readPath(pixel);
+        ended = !path.alive(event, 0);
         if (ended) return;
-        account.events.push_back(eventOf(frame, event, paths, pixel, sample, account.radiance));
-        account.radiance = paths.radiance[pixel];
+        account.events.push_back(eventOf(frame, event, path, pixel, sample, account.radiance));
+        account.radiance = path.radiance[0];
         ended = !account.events.back().point.found() || event + 1 == settings.bounces;
     };
     Renderer renderer(scene, settings, backend);

@@ -23,6 +23,10 @@ std::vector<PassTime> construct(Backend& backend, const Camera& camera,
 
 } // namespace
 
+PathBuffers Backend::readPath(size_t pixel) const {
+    return readPaths().only(pixel);
+}
+
 std::vector<PassTime> Backend::build(const Mesh& mesh, const Camera& camera,
                                      const GridSettings& settings) {
     return construct(*this, camera, settings, [&] { transform(mesh, camera, settings.mode); });

@@ -81,6 +81,8 @@ public:
     /// Buffers that the frame does not need are empty.
     virtual PathBuffers readPaths() const = 0;
     virtual void writePaths(const PathBuffers& paths) = 0;
+    /// What readPaths has of one pixel: buffers of one record.
+    virtual PathBuffers readPath(size_t pixel) const;
     /// Parts of it, for whoever looks into every sample: G[k+1] in full, and what the sample has
     /// gathered.
     virtual std::vector<SurfacePoint> readPoints() const = 0;

@@ -57,6 +57,7 @@ public:
     void writeGrid(const Grid& grid) override { inner_.writeGrid(grid); }
     PathBuffers readPaths() const override { return inner_.readPaths(); }
     void writePaths(const PathBuffers& paths) override { inner_.writePaths(paths); }
+    PathBuffers readPath(size_t pixel) const override { return inner_.readPath(pixel); }
     std::vector<SurfacePoint> readPoints() const override { return inner_.readPoints(); }
     std::vector<glm::vec3> readRadiance() const override { return inner_.readRadiance(); }
     std::vector<float> readShadowMap() const override { return inner_.readShadowMap(); }

@@ -41,6 +41,9 @@ public:
     void writeGrid(const Grid& grid) override;
     PathBuffers readPaths() const override { return paths_.unpacked(*geometry_); }
     void writePaths(const PathBuffers& paths) override;
+    PathBuffers readPath(size_t pixel) const override {
+        return paths_.only(pixel).unpacked(*geometry_);
+    }
     std::vector<SurfacePoint> readPoints() const override;
     std::vector<glm::vec3> readRadiance() const override { return paths_.radiance; }
     std::vector<float> readShadowMap() const override { return shadowDepths_; }

@@ -20,6 +20,26 @@ void make(PackedPoints& buffer, bool wanted, const PointFormat& format, size_t p
 
 } // namespace
 
+PathBuffers PathBuffers::only(size_t pixel) const {
+    PathBuffers one;
+    const auto take = [pixel](const auto& all, auto& record) {
+        if (!all.empty()) record.push_back(all[pixel]);
+    };
+    take(previous, one.previous);
+    take(current, one.current);
+    take(next, one.next);
+    one.packedPrevious = packedPrevious.only(pixel);
+    one.packedCurrent = packedCurrent.only(pixel);
+    one.packedNext = packedNext.only(pixel);
+    take(mask, one.mask);
+    take(rays, one.rays);
+    take(hits, one.hits);
+    take(visibility, one.visibility);
+    take(radiance, one.radiance);
+    take(image, one.image);
+    return one;
+}
+
 void PathBuffers::allocate(const Requirements& need, size_t pixels) {
     const PointFormat format = pointFormatOf(need);
     const bool full = !format.packed(), keepsCurrent = need.indirect || need.previousPoint;

@@ -28,6 +28,9 @@ struct PathBuffers {
     std::vector<glm::vec3> radiance; ///< what the sample has gathered
     std::vector<glm::vec3> image;    ///< sum of the finished samples
 
+    /// The records of one pixel alone.
+    PathBuffers only(size_t pixel) const;
+
     /// Room for what \p requirements ask for; everything empty.
     void allocate(const Requirements& requirements, size_t pixels);
 

@@ -24,6 +24,12 @@ PackedPoints::PackedPoints(const PointFormat& format, size_t pixels)
     for (size_t pixel = 0; pixel < pixels; ++pixel) set(pixel, {});
 }
 
+PackedPoints PackedPoints::only(size_t pixel) const {
+    if (empty()) return {};
+    const auto first = words_.begin() + (std::ptrdiff_t)(pixel * format_.words);
+    return {format_, std::vector<uint32_t>(first, first + (std::ptrdiff_t) format_.words)};
+}
+
 PackedPoint PackedPoints::operator[](size_t pixel) const {
     const uint32_t* const words = words_.data() + pixel * format_.words;
     PackedPoint point;

@@ -43,6 +43,8 @@ public:
     bool found(size_t pixel) const { return words_[pixel * format_.words] != kNoPrimitive; }
     PackedPoint operator[](size_t pixel) const;
     void set(size_t pixel, const PackedPoint& point);
+    /// The point of one pixel alone.
+    PackedPoints only(size_t pixel) const;
 
     void swap(PackedPoints& other) {
         std::swap(format_, other.format_);

@@ -39,10 +39,16 @@ void Canvas::put(int x, int y, Colour colour) {
 }
 
 void Canvas::fill(Box box, Colour colour) {
-    const int right = std::min(box.right(), part_.right());
+    const int left = std::max(box.left, part_.left), right = std::min(box.right(), part_.right());
     const int bottom = std::min(box.bottom(), part_.bottom());
-    for (int y = std::max(box.top, part_.top); y < bottom; ++y)
-        for (int x = std::max(box.left, part_.left); x < right; ++x) picture_.set(x, y, colour);
+    for (int y = std::max(box.top, part_.top); y < bottom && left < right; ++y) {
+        uint8_t* bytes = picture_.rgb.data() + picture_.place(left, y);
+        for (int x = left; x < right; ++x, bytes += 3) {
+            bytes[0] = colour.x;
+            bytes[1] = colour.y;
+            bytes[2] = colour.z;
+        }
+    }
 }
 
 void Canvas::frame(Box box, Colour colour, int thickness) {

@@ -21,12 +21,14 @@ struct Picture {
         : width(width), height(height), rgb(3 * (size_t) width * (size_t) height, 0) {}
 
     bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
+    /// Of a pixel's first byte.
+    size_t place(int x, int y) const { return 3 * ((size_t) y * (size_t) width + (size_t) x); }
     Colour at(int x, int y) const {
-        const size_t i = 3 * ((size_t) y * (size_t) width + (size_t) x);
+        const size_t i = place(x, y);
         return {rgb[i], rgb[i + 1], rgb[i + 2]};
     }
     void set(int x, int y, Colour colour) {
-        const size_t i = 3 * ((size_t) y * (size_t) width + (size_t) x);
+        const size_t i = place(x, y);
         for (int c = 0; c < 3; ++c) rgb[i + (size_t) c] = colour[c];
     }
 };

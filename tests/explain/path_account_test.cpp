@@ -15,6 +15,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 namespace dirt {
 namespace {
 
@@ -85,6 +87,45 @@ TEST_P(PathAccountOf, AddsUpWithEmbree) {
     expectSums(backend);
 }
 #endif
+
+/// Whether the first has one record, which is the second's of \p pixel; or neither has any.
+template <typename Record>
+void expectOnly(const std::vector<Record>& one, const std::vector<Record>& all, size_t pixel) {
+    ASSERT_EQ(one.size(), all.empty() ? 0u : 1u);
+    if (!all.empty()) {
+        EXPECT_EQ(std::memcmp(&one[0], &all[pixel], sizeof(Record)), 0);
+    }
+}
+
+/// A pixel's records are those that all pixels' buffers have of it, in full and packed.
+TEST_P(PathAccountOf, ReadsTheRecordsOfOnePixel) {
+    CpuBackend backend(pool_);
+    RenderHooks hooks;
+    size_t events = 0;
+    hooks.observe = [&](uint32_t, int) {
+        const PathBuffers all = backend.readPaths();
+        for (const size_t pixel : {0u, 600u, 1151u}) {
+            const PathBuffers one = backend.readPath(pixel);
+            EXPECT_EQ(one.pixels(), 1u);
+            EXPECT_TRUE(one.packedNext.empty());
+            expectOnly(one.previous, all.previous, pixel);
+            expectOnly(one.current, all.current, pixel);
+            expectOnly(one.next, all.next, pixel);
+            expectOnly(one.mask, all.mask, pixel);
+            expectOnly(one.rays, all.rays, pixel);
+            expectOnly(one.hits, all.hits, pixel);
+            expectOnly(one.visibility, all.visibility, pixel);
+            expectOnly(one.radiance, all.radiance, pixel);
+            expectOnly(one.image, all.image, pixel);
+        }
+        ++events;
+    };
+    settings_.samples = 2; // the image is not empty
+    Renderer renderer(loaded_.scene, settings_, backend);
+    renderer.keepPreviousPoint();
+    renderer.render(hooks);
+    EXPECT_EQ(events, 2u * (size_t) settings_.bounces);
+}
 
 /// Counts the events that are traced.
 class CountingBackend final : public ForwardingBackend {
