@@ -2,6 +2,7 @@
 
 #include "app/cli/dump_manifest.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/pixel_option.h"
 #include "core/base/error.h"
 #include "core/dump/channels.h"
 #include "core/dump/shadow_rays.h"
@@ -115,10 +116,7 @@ int dumpPixel(const DumpOptions& options, const Input& input, Backend& backend,
               const Executor& executor) {
     const auto [x, y] = *options.pixel;
     const GridSettings& grid = input.settings.grid;
-    if (x >= grid.width || y >= grid.height)
-        throw InputError("--pixel " + std::to_string(x) + "," + std::to_string(y) +
-                         ": the image has " + std::to_string(grid.width) + "x" +
-                         std::to_string(grid.height) + " pixels");
+    checkPixel("--pixel", *options.pixel, input.settings);
     checkWritable(options.output); // now that the inputs are known
     catchInterrupts();
     const PathAccount account =

@@ -107,9 +107,19 @@ void Canvas::text(int x, int y, std::string_view text, Colour colour, int size) 
 }
 
 void Canvas::paste(const Picture& picture, int x, int y, int times) {
-    for (int row = 0; row < picture.height; ++row)
-        for (int column = 0; column < picture.width; ++column)
-            fill({x + column * times, y + row * times, times, times}, picture.at(column, row));
+    if (times > 1) {
+        for (int row = 0; row < picture.height; ++row)
+            for (int column = 0; column < picture.width; ++column)
+                fill({x + column * times, y + row * times, times, times}, picture.at(column, row));
+        return;
+    }
+    // Rows as they are.
+    const int left = std::max(x, part_.left), right = std::min(x + picture.width, part_.right());
+    const int bottom = std::min(y + picture.height, part_.bottom());
+    for (int row = std::max(y, part_.top); row < bottom && left < right; ++row)
+        std::copy_n(picture.rgb.begin() + (std::ptrdiff_t) picture.place(left - x, row - y),
+                    3 * (right - left),
+                    picture_.rgb.begin() + (std::ptrdiff_t) picture_.place(left, row));
 }
 
 int textWidth(std::string_view text, int size) {

@@ -58,6 +58,23 @@ TEST(Canvas, EnlargesAPicture) {
     EXPECT_EQ(picture.at(3, 1), Colour(0, 0, 0));
 }
 
+/// As it is, and cut off on all sides.
+TEST(Canvas, PastesWhatFits) {
+    Picture small(4, 3);
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 4; ++x) small.set(x, y, Colour(10 + x, 20 + y, 30));
+    for (const int left : {-9, -2, 0, 3, 5, 9})
+        for (const int top : {-9, -1, 0, 2, 4, 9}) {
+            Picture picture(6, 5);
+            Canvas(picture).paste(small, left, top);
+            for (int y = 0; y < 5; ++y)
+                for (int x = 0; x < 6; ++x)
+                    EXPECT_EQ(picture.at(x, y), small.holds(x - left, y - top)
+                                                    ? small.at(x - left, y - top)
+                                                    : Colour(0, 0, 0));
+        }
+}
+
 /// Each letter has a shape of its own; one that is not there has a box.
 TEST(Font, TellsLettersApart) {
     const auto shapeOf = [](char letter) {
