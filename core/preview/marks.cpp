@@ -31,25 +31,29 @@ void drawPixel(Canvas& canvas, glm::dvec2 corner, int times, Colour colour) {
 } // namespace
 
 void drawMarks(Canvas& canvas, const std::vector<Mark>& marks, glm::dvec2 corner, int times) {
-    for (const Mark& mark : marks) {
-        const glm::dvec2 from = corner + mark.from * (double) times;
-        const glm::dvec2 to = corner + mark.to * (double) times;
-        switch (mark.shape) {
-        case Mark::Shape::box:
-            canvas.frame(boxBetween(from, to), mark.colour, times >= 12 ? 2 : 1);
-            break;
-        case Mark::Shape::line:
-            canvas.line(from, to, mark.colour, times >= 4 ? 2 : 1);
-            break;
-        case Mark::Shape::cross:
-            canvas.cross(from, 6, kBackground, 5);
-            canvas.cross(from, 5, mark.colour, 2);
-            break;
-        case Mark::Shape::pixel:
-            drawPixel(canvas, from, times, mark.colour);
-            break;
+    const int width = times >= 12 ? 2 : 1;
+    // Lines have dark ones beneath them, as pictures may be bright: all of those first.
+    for (const bool shadows : {true, false})
+        for (const Mark& mark : marks) {
+            const glm::dvec2 from = corner + mark.from * (double) times;
+            const glm::dvec2 to = corner + mark.to * (double) times;
+            const Colour colour = shadows ? kBackground : mark.colour;
+            switch (mark.shape) {
+            case Mark::Shape::box:
+                canvas.frame(boxBetween(from, to), colour,
+                             shadows && times >= 8 ? 2 * width : width);
+                break;
+            case Mark::Shape::line:
+                canvas.line(from, to, colour, (times >= 4 ? 2 : 1) + (shadows ? 2 : 0));
+                break;
+            case Mark::Shape::cross:
+                canvas.cross(from, shadows ? 6 : 5, colour, shadows ? 5 : 2);
+                break;
+            case Mark::Shape::pixel:
+                if (!shadows) drawPixel(canvas, from, times, colour);
+                break;
+            }
         }
-    }
 }
 
 } // namespace dirt

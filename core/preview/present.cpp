@@ -52,7 +52,10 @@ void drawParts(Canvas& canvas, const PreviewPicture& picture, int times) {
                       pixels.height * times};
         if (box.left > 0) canvas.fill({box.left, box.top, 1, box.height}, kFaintWords);
         if (box.top > 0) canvas.fill({box.left, box.top, box.width, 1}, kFaintWords);
-        if (box.width >= 8 * textWidth(name)) canvas.text(box.left + 4, box.top + 4, name, kWords);
+        if (box.width < 8 * textWidth(name)) continue;
+        canvas.fill({box.left + 2, box.top + 2, textWidth(name) + 2, textHeight() - 2},
+                    kBackground);
+        canvas.text(box.left + 4, box.top + 4, name, kWords);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/preview/canvas.h"
 
 #include "core/preview/font.h"
+#include "core/preview/marks.h"
 
 #include <gtest/gtest.h>
 
@@ -73,6 +74,25 @@ TEST(Canvas, PastesWhatFits) {
                                                     ? small.at(x - left, y - top)
                                                     : Colour(0, 0, 0));
         }
+}
+
+/// Lines of marks have dark ones beneath them, for bright pictures; boxes inside.
+TEST(Marks, StandOutOfBrightPictures) {
+    const Colour bright(250, 250, 250);
+    Picture picture(60, 60);
+    Canvas canvas(picture);
+    canvas.fill({0, 0, 60, 60}, bright);
+    drawMarks(canvas, {{Mark::Shape::box, {1, 1}, {2, 2}, kInk}}, {0, 0}, 20);
+    EXPECT_EQ(picture.at(19, 30), bright);
+    EXPECT_EQ(picture.at(20, 30), kInk);
+    EXPECT_EQ(picture.at(21, 30), kInk);
+    EXPECT_EQ(picture.at(22, 30), kBackground);
+    EXPECT_EQ(picture.at(24, 30), bright);
+    canvas.fill({0, 0, 60, 60}, bright);
+    drawMarks(canvas, {{Mark::Shape::line, {0, 1}, {3, 1}, kInk}}, {0, 0}, 20);
+    EXPECT_EQ(picture.at(30, 20), kInk);
+    EXPECT_EQ(picture.at(30, 18), kBackground);
+    EXPECT_EQ(picture.at(30, 16), bright);
 }
 
 /// Each letter has a shape of its own; one that is not there has a box.
