@@ -8,6 +8,7 @@
 #include "app/cli/pixel_option.h"
 #include "app/cli/ray_image.h"
 #include "core/base/error.h"
+#include "core/preview/tile_picture.h"
 
 #include <array>
 #include <cmath>
@@ -126,6 +127,11 @@ int explainLists(const ExplainOptions& options, const Input& input, Backend& bac
                       (double) bounds.far, grid.settings.bins);
         what += bounds.empty() ? ", empty" : text;
     }
+    if (options.image) {
+        const auto [view, column, row] = *options.tile;
+        const std::string title = what + " of " + input.scene.name + ", " + backend.name();
+        writeRayImage(*options.image, drawEntries(grid, entries, view, column, row, title), title);
+    }
     if (options.json)
         print(Json({{"scene", input.scene.name},
                     {"backend", backend.name()},
@@ -152,7 +158,8 @@ void checkSubject(const ExplainOptions& o) {
     refuse(o.sample && !o.pixel, "--sample", "--pixel");
     refuse(o.skip && !o.ray, "--skip", "--ray");
     refuse(o.maxT && !o.ray, "--max-t", "--ray");
-    refuse(o.image && !o.pixel && !o.ray, "--image", "--pixel or --ray");
+    refuse(o.image && !o.pixel && !o.ray && !o.tile, "--image",
+           "--pixel, --ray or --tile VIEW,X,Y");
 }
 
 int runExplain(const ExplainOptions& options) {
@@ -220,7 +227,9 @@ void addExplain(Command program, int& status) {
                [options](int64_t id) { options->skip = (uint32_t) id; });
     addNumber(command, "--max-t", 0.0f, HUGE_VALF, "ask whether anything is hit before",
               [options](float t) { options->maxT = t; });
-    command.addText("--image", options->image, "draw the rays of --pixel, or --ray, as a PNG file");
+    command.addText(
+        "--image", options->image,
+        "draw the rays of --pixel, --ray, or what the tile of --tile lists, as a PNG file");
     command.addFlag("--json", options->json, "print JSON");
     command.onRun([options, &status] { status = runExplain(*options); });
 }

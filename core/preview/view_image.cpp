@@ -20,16 +20,16 @@ glm::dvec3 toView(const View& view, glm::dvec3 p) {
     return {p[view.axisX], p[view.axisY], (double) view.signW * p[view.axisW]};
 }
 
-glm::dvec2 tilesAt(const View& view, glm::dvec2 slopes) {
+} // namespace
+
+glm::dvec2 slopesInTiles(const View& view, glm::dvec2 slopes) {
     return {placeOf(view.s, slopes.x), placeOf(view.t, slopes.y)};
 }
-
-} // namespace
 
 std::optional<glm::dvec2> inTiles(const View& view, glm::dvec3 point) {
     const glm::dvec3 p = toView(view, point);
     if (!(p.z > 0.0)) return {};
-    return tilesAt(view, {p.x / p.z, p.y / p.z});
+    return slopesInTiles(view, {p.x / p.z, p.y / p.z});
 }
 
 std::vector<glm::dvec2> imageOf(const View& view, const Ray& ray, double begin, double end) {
@@ -44,13 +44,13 @@ std::vector<glm::dvec2> imageOf(const View& view, const Ray& ray, double begin, 
     };
     const auto from = slopes(begin), to = slopes(end);
     if (!from || !to) return {};
-    if (*from == *to) return {tilesAt(view, *from)};
+    if (*from == *to) return {slopesInTiles(view, *from)};
     // A line in slopes bends where the last tiles are cut at the rim, which are shown as wide as
     // all.
     constexpr int kPieces = 64;
     std::vector<glm::dvec2> points;
     for (int i = 0; i <= kPieces; ++i)
-        points.push_back(tilesAt(view, *from + (*to - *from) * ((double) i / kPieces)));
+        points.push_back(slopesInTiles(view, *from + (*to - *from) * ((double) i / kPieces)));
     return points;
 }
 

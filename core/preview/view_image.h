@@ -11,6 +11,9 @@
 
 namespace dirt {
 
+/// Where a point of a view, as slopes x/w and y/w, lies in tiles.
+glm::dvec2 slopesInTiles(const View& view, glm::dvec2 slopes);
+
 /// Where the image of a point of the grid frame lies in a view, in tiles: (0, 0) is the corner of
 /// the first one. None where the point is not before the eye.
 std::optional<glm::dvec2> inTiles(const View& view, glm::dvec3 point);

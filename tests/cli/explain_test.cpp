@@ -117,8 +117,12 @@ TEST_F(Explain, DrawsTheRays) {
     std::filesystem::remove(picture);
     EXPECT_EQ(explain({"--ray", "0,0,0,0,0,-1", "--image", picture}).status, 0);
     EXPECT_EQ(readMetadata(picture).at(0).second, "a ray of a, cpu");
+    std::filesystem::remove(picture);
+    EXPECT_EQ(explain({"--tile", "5,0,0", "--image", picture}).status, 0);
+    EXPECT_EQ(readMetadata(picture).at(0).second.find("tile (0, 0) of view 5"), 0u);
+    std::filesystem::remove(picture);
     EXPECT_EQ(error({"--primitive", "0", "--image", picture}),
-              "dirt: --image: has no effect without --pixel or --ray\n");
+              "dirt: --image: has no effect without --pixel, --ray or --tile VIEW,X,Y\n");
     EXPECT_NE(error({"--pixel", "0,0", "--image", folder_ / "a.exr"}).find("is a PNG"),
               std::string::npos);
     EXPECT_NE(error({"--pixel", "0,0", "--image", folder_ / "none/a.png"}).find("none"),
