@@ -128,10 +128,10 @@ TEST_P(AovTest, OfOneSampleAreItsFirstHits) {
         EXPECT_EQ(layers.at("id.X")[pixel], point.primitive);
         if (!point.found()) {
             ++misses;
-            for (const auto& [name, values] : layers)
-                if (name.find('.') != name.npos && name != "id.X")
-                    EXPECT_EQ(valueOf(layers, name, pixel), name == "depth.Z" ? 1e10f : 0.0f)
-                        << name;
+            for (const auto& [name, values] : layers) {
+                if (name.find('.') == name.npos || name == "id.X") continue;
+                EXPECT_EQ(valueOf(layers, name, pixel), name == "depth.Z" ? 1e10f : 0.0f) << name;
+            }
             continue;
         }
         ++hits;

@@ -53,8 +53,9 @@ protected:
                 EXPECT_NEAR(event.emitted[c] + event.reflected[c], event.added[c],
                             1e-6f * (1.0f + account.radiance[c]));
                 EXPECT_GE(event.reflected[c], -1e-6f * (1.0f + account.radiance[c]));
-                if (event.shadowRay && !event.lit)
+                if (event.shadowRay && !event.lit) {
                     EXPECT_NEAR(event.reflected[c], 0.0f, 1e-6f * (1.0f + account.radiance[c]));
+                }
             }
             if (!account.grid || event.rasterized) continue;
             const Ray ray{event.ray.origin, event.ray.direction, event.ray.skip};
