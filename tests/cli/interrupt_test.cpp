@@ -15,7 +15,8 @@
 namespace dirt::test {
 namespace {
 
-constexpr int kSamples = 50;
+/// A third of a run is rendering where the program takes half a second to start.
+constexpr int kSamples = 300;
 
 std::vector<std::string> render(const std::string& scene, int samples, const std::string& output) {
     return {"render", scene, "--size", "96x48", "--spp", std::to_string(samples), "-o", output};
