@@ -63,12 +63,22 @@ bool isTarga(std::string_view bytes) {
            (bits == 8 || bits == 15 || bits == 16 || bits == 24 || bits == 32);
 }
 
+/// DXT2 and DXT4, whose colours are multiplied by alpha: OpenImageIO 2.4 divides by it, and ends
+/// the process where it is zero.
+bool isPremultipliedDds(std::string_view bytes) {
+    constexpr size_t kFourCc = 84; // bytes before it
+    if (!bytes.starts_with("DDS ") || bytes.size() < kFourCc + 4) return false;
+    const std::string_view fourCc = bytes.substr(kFourCc, 4);
+    return fourCc == "DXT2" || fourCc == "DXT4";
+}
+
 } // namespace
 
 const char* const kCodecNames =
     "PNG, JPEG, OpenEXR, Radiance HDR, TIFF, BMP, TGA, WebP, DDS, PNM and PFM";
 
 const ImageCodec* codecOf(std::string_view bytes) {
+    if (isPremultipliedDds(bytes)) return nullptr;
     for (const Marked& marked : kMarks)
         if (bytes.starts_with(marked.mark)) return &marked.codec;
     if (bytes.starts_with("RIFF") && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP")

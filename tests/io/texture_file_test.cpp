@@ -292,5 +292,28 @@ TEST(TextureFile, KeepsTheLuminanceOfGreyInBytes) {
     EXPECT_EQ(luminance({0.2f, 0.2f, 0.2f, 0.6f, 0.6f, 0.2f}).bytes(), 8u);
 }
 
+/// Their colours are divided by an alpha that may be zero, which ends the process in OpenImageIO.
+TEST(TextureFile, DdsWithPremultipliedAlphaIsNotRead) {
+    for (const char* kind : {"DXT2", "DXT4"}) {
+        std::string bytes(144, '\0'); // 4x4 texels: a header and a block, all zero but what is said
+        const auto put = [&](size_t at, const std::string& value) {
+            bytes.replace(at, value.size(), value);
+        };
+        put(0, "DDS \x7c");
+        put(8, {7, 16, 8});
+        put(12, {4});
+        put(16, {4});
+        put(76, {32});
+        put(80, {4});
+        put(84, kind);
+        put(109, {16});
+        const test::TemporaryFolder folder;
+        const std::string file = folder.write("a.dds", bytes);
+        EXPECT_NE(inputError([&] { readTexture(DecodedImage(file)); }).find("DDS"),
+                  std::string::npos)
+            << kind;
+    }
+}
+
 } // namespace
 } // namespace dirt
