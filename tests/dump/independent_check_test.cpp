@@ -37,6 +37,18 @@ protected:
             GTEST_SKIP() << "there is no " << kPython << " with OpenImageIO's module";
     }
     TemporaryFolder folder_;
+    SerialExecutor serial_;
+    CpuBackend backend_{serial_};
+
+    /// What dump("16", "8") writes, in backend_.
+    void build() {
+        const Scene scene = loadScene(kScene).scene;
+        GridSettings settings;
+        settings.width = 96;
+        settings.height = 64;
+        settings.bins = 8;
+        backend_.build(scene.mesh, scene.camera, settings);
+    }
 
     void dump(const std::string& tile, const std::string& bins) {
         const Outcome run =
@@ -59,20 +71,13 @@ TEST_F(IndependentCheck, ObjectsToWrongGrids) {
     dump("16", "8");
     ASSERT_EQ(check(folder_.path()).status, 0);
 
-    SerialExecutor serial;
-    CpuBackend backend(serial);
-    const Scene scene = loadScene(kScene).scene;
-    GridSettings settings;
-    settings.width = 96;
-    settings.height = 64;
-    settings.bins = 8;
-    backend.build(scene.mesh, scene.camera, settings);
+    build();
     const auto objection = [&](const std::function<void(Grid&)>& spoil) {
-        Grid grid = backend.grid();
+        Grid grid = backend_.grid();
         spoil(grid);
         Dump dump(folder_.path(), 96, 64, {});
         dump.depth(grid);
-        dump.ids(grid, backend.geometry());
+        dump.ids(grid, backend_.geometry());
         const Outcome run = check(folder_.path());
         EXPECT_EQ(run.status, 1) << run.out;
         return run.err;
@@ -116,15 +121,8 @@ TEST_F(IndependentCheck, ComparedDumpsNameWhatDiffers) {
     EXPECT_EQ(same.status, 0) << same.out << same.err;
     EXPECT_EQ(same.out, "0 differences\n");
 
-    SerialExecutor serial;
-    CpuBackend backend(serial);
-    const Scene scene = loadScene(kScene).scene;
-    GridSettings settings;
-    settings.width = 96;
-    settings.height = 64;
-    settings.bins = 8;
-    backend.build(scene.mesh, scene.camera, settings);
-    Grid grid = backend.grid();
+    build();
+    Grid grid = backend_.grid();
     size_t cell = 0; // the first with a list, which loses its only or last entry
     while (grid.heads[cell + 1] == grid.heads[cell]) ++cell;
     const size_t tile = cell / 8, bin = cell % 8, view = 5;
@@ -139,7 +137,7 @@ TEST_F(IndependentCheck, ComparedDumpsNameWhatDiffers) {
     bounds.far = std::nextafter(bounds.far, 2.0f);
     Dump spoilt(b, 96, 64, {});
     spoilt.depth(grid);
-    spoilt.ids(grid, backend.geometry());
+    spoilt.ids(grid, backend_.geometry());
     const Outcome run = compare();
     EXPECT_EQ(run.status, 1);
     for (const std::string& said :
