@@ -12,8 +12,6 @@ namespace dirt {
 
 namespace {
 
-constexpr size_t kGrain = 1024;
-
 std::string idText(uint32_t primitive) {
     return primitive == kNoPrimitive ? "nothing" : "triangle " + std::to_string(primitive);
 }
@@ -110,17 +108,8 @@ private:
 
 JudgedPass judgeTrace(const ReplayInput& input, const DumpedHits& event, const Judge& judge,
                       Executor& executor) {
-    JudgedPass pass;
-    pass.pass = "Trace";
-    pass.event = event.event;
-    pass.buffer = "hit buffer";
-    const HitJudge one(input, event, judge);
-    pass.addPieces(executor, event.hits.size(), kGrain, [&](size_t begin, size_t end) {
-        JudgedPass found;
-        for (size_t pixel = begin; pixel < end; ++pixel) one.judge((uint32_t) pixel, found);
-        return found;
-    });
-    return pass;
+    return judgePixels("Trace", event.event, "hit buffer", event.hits.size(),
+                       HitJudge(input, event, judge), executor);
 }
 
 } // namespace dirt

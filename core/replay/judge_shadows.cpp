@@ -10,8 +10,6 @@ namespace dirt {
 
 namespace {
 
-constexpr size_t kGrain = 1024;
-
 /// Whether something at an exact \p t is before \p tMax. In between: as t is rounded.
 enum class Before { certainly, perhaps, no };
 
@@ -112,17 +110,8 @@ private:
 
 JudgedPass judgeVisibility(const ReplayInput& input, const DumpedShadows& shadows,
                            const Judge& judge, Executor& executor) {
-    JudgedPass pass;
-    pass.pass = "Visibility";
-    pass.event = shadows.event;
-    pass.buffer = "shadow rays";
-    const ShadowJudge one(input, shadows, judge);
-    pass.addPieces(executor, shadows.rays.size(), kGrain, [&](size_t begin, size_t end) {
-        JudgedPass found;
-        for (size_t pixel = begin; pixel < end; ++pixel) one.judge((uint32_t) pixel, found);
-        return found;
-    });
-    return pass;
+    return judgePixels("Visibility", shadows.event, "shadow rays", shadows.rays.size(),
+                       ShadowJudge(input, shadows, judge), executor);
 }
 
 } // namespace dirt
