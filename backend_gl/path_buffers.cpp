@@ -1,5 +1,6 @@
 #include "backend_gl/path_buffers.h"
 
+#include "backend_gl/groups.h"
 #include "core/base/error.h"
 
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace {
 // Of include/paths.glsl.
 enum Block : GLuint { kRays, kHits, kCurrent, kNext, kRadiance, kImage };
 enum ImageUnit : GLuint { kMask = 2, kVisibility = 3 };
-
-constexpr uint32_t kGroup = 64;
 
 /// Room for \p pixels records; a buffer of the right size stays.
 void make(GlBuffer& buffer, bool wanted, size_t record, size_t pixels) {
@@ -193,7 +192,7 @@ void GlPathBuffers::dispatch() const {
     for (size_t first = 0; first < pixels_; first += kPixelsPerPiece) {
         const auto count = (uint32_t) std::min<size_t>(kPixelsPerPiece, pixels_ - first);
         bind((uint32_t) first, count);
-        glDispatchCompute((count + kGroup - 1) / kGroup, 1, 1);
+        glDispatchCompute(groupsOf(count), 1, 1);
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                     GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -1,5 +1,6 @@
 #include "backend_gl/raster_fetch.h"
 
+#include "backend_gl/groups.h"
 #include "backend_gl/ordinary_raster.h"
 
 #include <algorithm>
@@ -11,10 +12,8 @@ namespace {
 // Of include/hit_groups.glsl and include/deposits.glsl.
 enum Block : GLuint { kSlots = 6, kGroupOf, kFetches, kDeposits };
 
-constexpr uint32_t kGroup = 64;
-
 void dispatchOver(size_t count) {
-    glDispatchCompute((GLuint) ((count + kGroup - 1) / kGroup), 1, 1);
+    glDispatchCompute(groupsOf(count), 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 

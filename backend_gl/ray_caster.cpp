@@ -1,5 +1,6 @@
 #include "backend_gl/ray_caster.h"
 
+#include "backend_gl/groups.h"
 #include "core/base/error.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ CastCounts RayCaster::run(const BufferRange& rays, const BufferRange& hits, uint
         const uint32_t none[2] = {};
         states_.write(0, sizeof none, none);
         glUniform1ui(4, turns_);
-        glDispatchCompute((count + 63) / 64, 1, 1);
+        glDispatchCompute(groupsOf(count), 1, 1);
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
         states_.read(0, sizeof header, &header);
         if (header.cut == 0) continue;

@@ -1,5 +1,6 @@
 #include "backend_gl/sample_passes.h"
 
+#include "backend_gl/groups.h"
 #include "core/path/camera_rays.h"
 #include "core/path/grid_spotlight.h"
 #include "core/path/shadow_frustum.h"
@@ -12,12 +13,6 @@ namespace {
 
 // Storage blocks of shadow_rays.comp, visibility.comp and resolve.comp.
 enum Block : GLuint { kHits = 1, kShadowRays = 6, kAsked = 7, kClamped = 6 };
-
-constexpr uint32_t kGroup = 64;
-
-GLuint groupsOf(uint32_t count) {
-    return (count + kGroup - 1) / kGroup;
-}
 
 } // namespace
 

@@ -6,16 +6,6 @@
 
 namespace dirt {
 
-namespace {
-
-double sumOf(const std::vector<PassTime>& passes) {
-    double sum = 0.0;
-    for (const PassTime& pass : passes) sum += pass.ms;
-    return sum;
-}
-
-} // namespace
-
 ScalingPoint benchScaling(const Scene& scene, const RenderSettings& settings, Backend& backend,
                           Backend& peer, int rounds) {
     ScalingPoint point;
@@ -27,8 +17,8 @@ ScalingPoint benchScaling(const Scene& scene, const RenderSettings& settings, Ba
     const auto time = [&](Backend& side, Timing& build, Timing& sample, bool counts) {
         const RenderResult frame = Renderer(scene, one, side).render();
         if (!counts) return;
-        build.ms.push_back(sumOf(frame.build));
-        sample.ms.push_back(sumOf(frame.passes) - build.ms.back());
+        build.ms.push_back(totalMs(frame.build));
+        sample.ms.push_back(totalMs(frame.passes) - build.ms.back());
     };
     for (int round = -1; round < rounds; ++round)
         for (int i = 0; i < 2; ++i)
@@ -36,7 +26,7 @@ ScalingPoint benchScaling(const Scene& scene, const RenderSettings& settings, Ba
                 time(backend, point.build, point.sample, round >= 0);
             else
                 time(peer, point.peerBuild, point.peerSample, round >= 0);
-    for (const BufferSize& buffer : backend.memory()) point.bytes += buffer.second;
+    point.bytes = totalBytes(backend.memory());
     return point;
 }
 

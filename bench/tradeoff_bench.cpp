@@ -11,17 +11,6 @@ namespace dirt {
 
 namespace {
 
-double sumOf(const std::vector<PassTime>& passes) {
-    return std::accumulate(passes.begin(), passes.end(), 0.0,
-                           [](double sum, const PassTime& pass) { return sum + pass.ms; });
-}
-
-uint64_t totalBytes(const Backend& backend) {
-    uint64_t total = 0;
-    for (const BufferSize& buffer : backend.memory()) total += buffer.second;
-    return total;
-}
-
 class Run {
 public:
     Run(const Scene& scene, const BackendMaker& makeBackend, Backend& peer, Executor& executor,
@@ -59,7 +48,7 @@ private:
             images.push_back(frame(i, *fresh).image);
             SettingsReport& to = report_.settings[i];
             to.listEntries = fresh->listEntries();
-            to.bytes = totalBytes(*fresh);
+            to.bytes = totalBytes(fresh->memory());
             to.image = sameImage(images, i);
         }
     }
@@ -70,9 +59,9 @@ private:
             for (size_t i = 0; i < report_.settings.size(); ++i) {
                 const RenderResult result = frame(i, *backend_);
                 if (round == 0) continue; // warms up
-                const double build = sumOf(result.build);
+                const double build = totalMs(result.build);
                 report_.settings[i].build.ms.push_back(build);
-                report_.settings[i].sample.ms.push_back(sumOf(result.passes) - build);
+                report_.settings[i].sample.ms.push_back(totalMs(result.passes) - build);
             }
         }
     }

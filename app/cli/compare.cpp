@@ -3,6 +3,7 @@
 #include "app/cli/json_report.h"
 #include "app/cli/thread_limit.h"
 #include "core/base/error.h"
+#include "core/base/finite.h"
 #include "core/compare/colour.h"
 #include "core/compare/colour_map.h"
 #include "core/compare/differences.h"
@@ -98,8 +99,8 @@ Json numberOrNull(double value, bool exists) {
     return exists ? Json(value) : Json(nullptr);
 }
 
-Json reportOf(const CompareOptions& options, const Image& image, const Comparison& comparison,
-              ImageFormat format) {
+Json comparisonReport(const CompareOptions& options, const Image& image,
+                      const Comparison& comparison, ImageFormat format) {
     const Differences& d = comparison.differences;
     const bool any = d.pixels > 0;
     Json report;
@@ -156,7 +157,7 @@ bool runCompare(const CompareOptions& options) {
 
     if (!options.diff.empty()) writeDiff(options.diff, comparison, image, reference);
     if (options.json)
-        std::printf("%s\n", reportOf(options, image, comparison, format).dump(2).c_str());
+        std::printf("%s\n", comparisonReport(options, image, comparison, format).dump(2).c_str());
     else
         print(options, image, comparison, format);
 

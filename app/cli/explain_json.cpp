@@ -4,10 +4,6 @@ namespace dirt {
 
 namespace {
 
-Json vectorJson(glm::vec3 v) {
-    return {v.x, v.y, v.z};
-}
-
 Json idJson(uint32_t primitive) {
     return primitive == kNoPrimitive ? Json() : Json(primitive);
 }

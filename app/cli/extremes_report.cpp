@@ -11,7 +11,7 @@ std::string text(const std::optional<uint64_t>& count) {
     return count ? std::to_string(*count) : "-";
 }
 
-Json countsJson(const ExtremeBackendReport& backend) {
+Json variantsJson(const ExtremeBackendReport& backend) {
     Json json = countsJson(backend.rays);
     json["max_ulp_t_error"] = backend.rays.maxUlpTError;
     json["non_finite_pixels"] = backend.nonFinitePixels;
@@ -66,9 +66,9 @@ void printSum(std::FILE* file, const ExtremesSum& sum) {
 Json extremeJson(const ExtremeReport& report, const std::vector<std::string>& names) {
     if (!report.leftOut.empty()) return {{"left_out", report.leftOut}};
     Json json{{"triangles", report.triangles}, {"rays", report.rays}, {"hits", report.hits}};
-    json.update(countsJson(report.backends[0]));
+    json.update(variantsJson(report.backends[0]));
     for (size_t b = 1; b < names.size(); ++b)
-        json[jsonKey(names[b])] = countsJson(report.backends[b]);
+        json[jsonKey(names[b])] = variantsJson(report.backends[b]);
     return json;
 }
 

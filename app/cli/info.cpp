@@ -66,10 +66,6 @@ SceneCounts count(const Input& input) {
     return counts;
 }
 
-Json vectorJson(glm::dvec3 v) {
-    return {v.x, v.y, v.z};
-}
-
 Json materialFilesJson(const std::vector<MaterialFile>& files) {
     Json rows = Json::array();
     for (const MaterialFile& file : files)

@@ -127,8 +127,8 @@ bool usesCpu(const CommonOptions& options) {
 }
 
 /// Chooses the structure and makes sure that there is memory for a frame with it.
-void planStructure(Input& input, const CommonOptions& options, const SceneSettings& file,
-                   const MemoryBudget& memory, Executor& executor) {
+void chooseStructure(Input& input, const CommonOptions& options, const SceneSettings& file,
+                     const MemoryBudget& memory, Executor& executor) {
     std::optional<Footprint> footprint;
     if (usesCpu(options)) {
         footprint.emplace(input.scene.mesh, input.scene.camera, input.settings.grid, executor);
@@ -204,7 +204,7 @@ Input openInput(const CommonOptions& options, Executor& executor) {
     input.modelCamera = loaded.modelCamera;
     moveInput(input, options, options.frame.value_or(0), executor);
     checkPrecision(input, options, executor);
-    planStructure(input, options, loaded.settings, memory, executor);
+    chooseStructure(input, options, loaded.settings, memory, executor);
     return input;
 }
 

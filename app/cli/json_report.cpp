@@ -2,6 +2,10 @@
 
 namespace dirt {
 
+Json vectorJson(glm::dvec3 v) {
+    return {v.x, v.y, v.z};
+}
+
 Json reportOf(const Input& input, const Backend& backend, const Executor& executor,
               std::span<const PassTime> build) {
     const GridSettings& grid = input.settings.grid;
@@ -23,21 +27,15 @@ Json reportOf(const Input& input, const Backend& backend, const Executor& execut
     report["seed"] = input.settings.seed;
     report["threads"] = executor.threads();
 
-    double buildMs = 0.0;
     report["passes"] = Json::array();
-    for (const PassTime& pass : build) {
+    for (const PassTime& pass : build)
         report["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"event", pass.event}});
-        buildMs += pass.ms;
-    }
-    report["build_ms"] = buildMs;
+    report["build_ms"] = totalMs(build);
 
-    uint64_t total = 0;
+    const std::vector<BufferSize> memory = backend.memory();
     report["memory"] = Json::object();
-    for (const auto& [name, bytes] : backend.memory()) {
-        report["memory"][name] = bytes;
-        total += bytes;
-    }
-    report["memory"]["total"] = total;
+    for (const auto& [name, bytes] : memory) report["memory"][name] = bytes;
+    report["memory"]["total"] = totalBytes(memory);
     report["list_entries"] = backend.listEntries();
     return report;
 }

@@ -5,12 +5,15 @@
 
 #include <span>
 
+#include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
 namespace dirt {
 
 /// JSON object that keeps the order in which its keys were set.
 using Json = nlohmann::ordered_json;
+
+Json vectorJson(glm::dvec3 v);
 
 /// What every report says of its run: scene, triangles, settings, backend, threads, the
 /// passes of the \p build, and the backend's memory and list entries as they are.

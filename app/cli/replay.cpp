@@ -52,7 +52,7 @@ void printPasses(std::FILE* file, const std::vector<JudgedPass>& passes) {
                          pass.first.c_str());
 }
 
-std::string nameOf(const CheckRow& row) {
+std::string rowName(const CheckRow& row) {
     return row.event < 0 ? row.pass : row.pass + " " + std::to_string(row.event);
 }
 
@@ -60,23 +60,23 @@ void printOpponent(std::FILE* file, const Opponent& opponent) {
     std::fprintf(file, "%-18s %-22s %10s %10s %10s %10s\n", ("beside " + opponent.name).c_str(), "",
                  "compared", "equal", "tolerated", "different");
     for (const CheckRow& row : opponent.rows)
-        std::fprintf(file, "%-18s %-22s %10llu %10llu %10llu %10llu\n", nameOf(row).c_str(),
+        std::fprintf(file, "%-18s %-22s %10llu %10llu %10llu %10llu\n", rowName(row).c_str(),
                      row.buffer.c_str(), (unsigned long long) row.compared,
                      (unsigned long long) row.equal, (unsigned long long) row.withinTolerance,
                      (unsigned long long) row.different);
     for (const CheckRow& row : opponent.rows)
         for (const std::string& example : row.examples)
-            std::fprintf(file, "%s, %s: %s\n", nameOf(row).c_str(), row.buffer.c_str(),
+            std::fprintf(file, "%s, %s: %s\n", rowName(row).c_str(), row.buffer.c_str(),
                          example.c_str());
 }
 
-Json eventJson(int event) {
+Json eventNumber(int event) {
     return event < 0 ? Json(nullptr) : Json(event);
 }
 
 /// With the place of the first fault, as far as it has one.
 Json passJson(const ReplayInput& input, const JudgedPass& pass) {
-    Json json = {{"pass", pass.pass},           {"event", eventJson(pass.event)},
+    Json json = {{"pass", pass.pass},           {"event", eventNumber(pass.event)},
                  {"buffer", pass.buffer},       {"compared", pass.compared},
                  {"right", pass.right},         {"wrong", pass.wrong()},
                  {"inherited", pass.inherited}, {"outside", pass.outside},
@@ -105,7 +105,7 @@ Json opponentJson(const Opponent& opponent) {
     Json rows = Json::array();
     for (const CheckRow& row : opponent.rows)
         rows.push_back({{"pass", row.pass},
-                        {"event", eventJson(row.event)},
+                        {"event", eventNumber(row.event)},
                         {"buffer", row.buffer},
                         {"compared", row.compared},
                         {"equal", row.equal},
@@ -115,8 +115,8 @@ Json opponentJson(const Opponent& opponent) {
     return {{"backend", opponent.name}, {"rows", rows}};
 }
 
-Json reportOf(const ReplayOptions& options, const ReplayInput& input,
-              const std::vector<JudgedPass>& passes, const std::optional<Opponent>& opponent) {
+Json replayReport(const ReplayOptions& options, const ReplayInput& input,
+                  const std::vector<JudgedPass>& passes, const std::optional<Opponent>& opponent) {
     const GridSettings& settings = input.manifest.settings;
     Json json = {{"dump", options.folder},
                  {"triangles", input.geometry.triangles.size()},
@@ -156,7 +156,7 @@ bool runReplay(const ReplayOptions& options) {
         std::fprintf(table, "%s\n", verdictText(passes).c_str());
     }
     if (options.json)
-        std::printf("%s\n", reportOf(options, input, passes, opponent).dump(2).c_str());
+        std::printf("%s\n", replayReport(options, input, passes, opponent).dump(2).c_str());
     return isRight(passes);
 }
 

@@ -45,7 +45,7 @@ void plotTimes(const std::string& stem, const Sweep& sweep, const TradeoffReport
 }
 
 /// The name of the settings: the first point that has them.
-std::string nameOf(size_t index, const Sweeps& sweeps) {
+std::string settingName(size_t index, const Sweeps& sweeps) {
     if (index == 0) return "as given";
     for (const Sweep& sweep : sweeps.sweeps)
         for (const auto& [value, i] : sweep.points)
@@ -61,7 +61,7 @@ void plotErrors(const std::string& stem, const TradeoffReport& report) {
         const SettingsReport& settings = report.settings[i];
         const bool sameLength =
             report.sweeps.settings[i].bounces == report.sweeps.settings.front().bounces;
-        PlotSeries series{nameOf(i, report.sweeps), {}};
+        PlotSeries series{settingName(i, report.sweeps), {}};
         for (const ErrorAt& error : settings.errors)
             if (error.relativeMse > 0.0)
                 series.points.emplace_back(settings.build.median() +
@@ -102,7 +102,7 @@ void writePictures(const std::string& stem, const TradeoffReport& report,
     for (size_t i = 0; i < report.images.size(); ++i) {
         const Image& image = report.images[i];
         if (image.pixels.empty()) continue;
-        std::string name = stem + "-" + nameOf(i, report.sweeps);
+        std::string name = stem + "-" + settingName(i, report.sweeps);
         std::replace(name.begin() + (ptrdiff_t) stem.size(), name.end(), ' ', '-');
         std::replace(name.begin() + (ptrdiff_t) stem.size(), name.end(), '/', '-');
         writePng(name + ".png", image.width, image.height, display.bytes(image.pixels), {});

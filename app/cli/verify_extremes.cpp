@@ -10,7 +10,7 @@ namespace {
 
 /// Small, as there are many variants.
 constexpr ImageSize kSize{64, 64};
-constexpr uint32_t kRays = 1000; ///< of each kind, where nothing else is said
+constexpr uint32_t kRaysOfVariant = 1000; ///< of each kind, where nothing else is said
 
 } // namespace
 
@@ -26,7 +26,7 @@ bool runExtremes(VerifyOptions options) {
     for (const auto& peer : peers) backends.push_back(peer.get());
     const std::vector<std::string> names = verifiedNames({backends.begin(), backends.end()});
     VerifySettings settings;
-    settings.rays = options.rays.value_or(kRays);
+    settings.rays = options.rays.value_or(kRaysOfVariant);
     settings.seed = input.settings.seed;
     std::string kindsOption;
     for (const std::string& kind : options.kinds)

@@ -1,6 +1,7 @@
 #include "app/cli/verify_report.h"
 
 #include "app/cli/again.h"
+#include "core/base/finite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +12,6 @@ namespace {
 
 std::string primitiveText(uint32_t id) {
     return id == kNoPrimitive ? "none" : std::to_string(id);
-}
-
-bool isFinite(const Ray& ray) {
-    const auto finite = [](glm::vec3 v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
-    return finite(ray.origin) && finite(ray.direction);
 }
 
 } // namespace
@@ -80,7 +74,7 @@ void printAgain(std::FILE* file, const std::string& command) {
 
 void printLook(std::FILE* file, const CommonOptions& options, const Input& input,
                const WrongAnswer& wrong) {
-    if (!isFinite(wrong.ray)) return; // no option has it
+    if (!isFinite(wrong.ray.origin) || !isFinite(wrong.ray.direction)) return; // no option has it
     const glm::vec3 o = wrong.ray.origin, d = wrong.ray.direction;
     char ray[160];
     std::snprintf(ray, sizeof ray, " --ray=%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", (double) o.x,

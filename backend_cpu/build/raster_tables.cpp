@@ -9,7 +9,7 @@ namespace {
 /// Behind any slope that is compared with it: coordinates are below 2^20 and depths above 2^-30.
 constexpr float kNever = 0x1p60f;
 
-bool areOrdinary(const std::vector<float>& borders) {
+bool allOrdinary(const std::vector<float>& borders) {
     // tile_range-inl.h needs this much.
     return std::all_of(borders.begin(), borders.end(), [](float slope) {
         const float size = std::fabs(slope);
@@ -50,7 +50,7 @@ void RasterTables::set(const Grid& grid) {
         a.middle = (float) (0.5 * tiles);
         a.end = (float) tiles;
         a.beyond = 1.001f * highs.back();
-        ordinary = ordinary && areOrdinary(lows) && areOrdinary(highs);
+        ordinary = ordinary && allOrdinary(lows) && allOrdinary(highs);
     }
 }
 

@@ -19,7 +19,7 @@
 namespace dirt {
 namespace {
 
-constexpr size_t kTrianglesPerPiece = 2048;
+constexpr size_t kCulledPerPiece = 2048;
 
 /// The camera rays of one sample.
 class SampleRays {
@@ -77,13 +77,13 @@ public:
                                        rays.offset());
         const auto& triangles = frame.geometry.triangles;
         std::vector<EyeBuffers::Piece>& pieces = buffers.pieces;
-        pieces.resize((triangles.size() + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
+        pieces.resize((triangles.size() + kCulledPerPiece - 1) / kCulledPerPiece);
         const ImageCull cull = footprint.cull();
-        executor.forRange(triangles.size(), kTrianglesPerPiece, [&](size_t begin, size_t end) {
-            EyeBuffers::Piece& piece = pieces[begin / kTrianglesPerPiece];
+        executor.forRange(triangles.size(), kCulledPerPiece, [&](size_t begin, size_t end) {
+            EyeBuffers::Piece& piece = pieces[begin / kCulledPerPiece];
             piece.items.clear();
             piece.fragments.clear();
-            uint32_t kept[kTrianglesPerPiece + kKeptPadding];
+            uint32_t kept[kCulledPerPiece + kKeptPadding];
             const size_t count =
                 keepInImage(cull, std::span(triangles).subspan(begin, end - begin), kept);
             for (size_t i = 0; i < count; ++i) {

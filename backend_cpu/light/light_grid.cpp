@@ -10,7 +10,7 @@
 namespace dirt {
 namespace {
 
-constexpr size_t kTrianglesPerPiece = 1024;
+constexpr size_t kScannedPerPiece = 1024;
 
 /// More triangles than this beside the light, which every ray tests, are no gain.
 constexpr size_t kMostClose = 16;
@@ -73,9 +73,9 @@ void fillLightGrid(const FrameGeometry& geometry, const Spotlight& light, Execut
     makeLightTree(geometry, grid.position, cone, executor, grid.tree);
 
     grid.records.resize(count);
-    grid.pieces.resize((count + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
-    executor.forRange(count, kTrianglesPerPiece, [&](size_t begin, size_t end) {
-        scanFromLight(geometry, grid, begin, end, grid.pieces[begin / kTrianglesPerPiece]);
+    grid.pieces.resize((count + kScannedPerPiece - 1) / kScannedPerPiece);
+    executor.forRange(count, kScannedPerPiece, [&](size_t begin, size_t end) {
+        scanFromLight(geometry, grid, begin, end, grid.pieces[begin / kScannedPerPiece]);
     });
     grid.close.clear();
     for (const LightPiece& piece : grid.pieces)

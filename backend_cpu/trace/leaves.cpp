@@ -25,7 +25,7 @@ namespace dirt {
 namespace {
 
 constexpr size_t kTilesPerPiece = 16;
-constexpr size_t kTrianglesPerPiece = 4096;
+constexpr size_t kBoxedPerPiece = 4096;
 using TreeSize = Leaves::TreeSize;
 
 constexpr uint32_t kWidth = LeafBoxes::kChildren;
@@ -215,7 +215,7 @@ void fillLeaves(const FrameGeometry& geometry, const Grid& grid, Executor& execu
     const size_t tiles = grid.firstTile.back(), count = geometry.triangles.size();
     leaves.unhittable.resize(count);
     std::atomic<bool> anyRepeated = false;
-    executor.forRange(count, kTrianglesPerPiece, [&](size_t begin, size_t end) {
+    executor.forRange(count, kBoxedPerPiece, [&](size_t begin, size_t end) {
         findWithoutArea({geometry.triangles.data() + begin, end - begin},
                         leaves.unhittable.data() + begin);
         for (size_t i = begin; i < end; ++i) {

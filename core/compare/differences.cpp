@@ -1,13 +1,11 @@
 #include "core/compare/differences.h"
 
+#include "core/base/finite.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace dirt {
-
-bool isFinite(glm::vec3 pixel) {
-    return std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z);
-}
 
 uint64_t countNonFinite(const Image& image) {
     return (uint64_t) std::count_if(image.pixels.begin(), image.pixels.end(),

@@ -20,9 +20,6 @@ struct Differences {
     double psnr() const;
 };
 
-/// Whether all components of the pixel are finite.
-bool isFinite(glm::vec3 pixel);
-
 /// Pixels with a NaN or an infinity.
 uint64_t countNonFinite(const Image& image);
 

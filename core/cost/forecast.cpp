@@ -9,14 +9,14 @@ Forecast forecastFrame(const Scene& scene, const RenderSettings& settings, Backe
     one.samples = 1;
     const RenderResult first = Renderer(scene, one, backend).render();
     Forecast forecast;
-    for (const PassTime& pass : first.passes) forecast.sampleMs += pass.ms;
-    for (const PassTime& pass : first.build) forecast.buildMs += pass.ms;
+    forecast.sampleMs = totalMs(first.passes);
+    forecast.buildMs = totalMs(first.build);
     const double once = forecast.buildMs + first.passMs("ShadowMap");
     forecast.sampleMs -= once;
     forecast.frameMs = once + settings.samples * forecast.sampleMs;
     forecast.rays = (double) settings.samples * (double) first.counts.rays;
     forecast.shadowRays = (double) settings.samples * (double) first.counts.shadowRays;
-    for (const BufferSize& buffer : backend.memory()) forecast.memory += buffer.second;
+    forecast.memory = totalBytes(backend.memory());
     return forecast;
 }
 

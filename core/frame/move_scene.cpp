@@ -1,6 +1,7 @@
 #include "core/frame/move_scene.h"
 
 #include "core/base/error.h"
+#include "core/base/finite.h"
 
 #include <atomic>
 #include <cfloat>
@@ -20,10 +21,6 @@ glm::vec3 transformed(const glm::mat4x3& m, glm::vec3 p) {
     return {((m[0][0] * p.x + m[1][0] * p.y) + m[2][0] * p.z) + m[3][0],
             ((m[0][1] * p.x + m[1][1] * p.y) + m[2][1] * p.z) + m[3][1],
             ((m[0][2] * p.x + m[1][2] * p.y) + m[2][2] * p.z) + m[3][2]};
-}
-
-bool isFinite(glm::vec3 p) {
-    return std::fabs(p.x) <= FLT_MAX && std::fabs(p.y) <= FLT_MAX && std::fabs(p.z) <= FLT_MAX;
 }
 
 /// Zero, which shading takes for no normal, where the transform leaves no direction.

@@ -23,7 +23,7 @@ constexpr double kCoarse = 0x1p-16;
 /// 4,096 across.
 constexpr double kCoarseEye = 0x1p-12;
 
-constexpr size_t kTrianglesPerPiece = 8192;
+constexpr size_t kSurveyedAtOnce = 8192;
 
 double spacingAt(double coordinate) {
     const float x = (float) std::min(coordinate, (double) FLT_MAX / 2);
@@ -77,11 +77,11 @@ PrecisionReach precisionReach(const Mesh& mesh, const Camera& camera, ViewMode m
     FrameGeometry geometry;
     transformMesh(mesh, camera, mode, executor, geometry);
     const size_t count = mesh.triangles.size();
-    std::vector<Survey> pieces((count + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
-    executor.forRange(count, kTrianglesPerPiece, [&](size_t begin, size_t end) {
+    std::vector<Survey> pieces((count + kSurveyedAtOnce - 1) / kSurveyedAtOnce);
+    executor.forRange(count, kSurveyedAtOnce, [&](size_t begin, size_t end) {
         Survey survey;
         for (size_t i = begin; i < end; ++i) survey.add(mesh, i, geometry.triangles[i]);
-        pieces[begin / kTrianglesPerPiece] = survey;
+        pieces[begin / kSurveyedAtOnce] = survey;
     });
     Survey all;
     for (const Survey& piece : pieces) all.add(piece);

@@ -8,7 +8,7 @@ namespace dirt {
 
 namespace {
 
-bool black(glm::vec3 color) {
+bool isBlack(glm::vec3 color) {
     return !(color.x > 0.0f || color.y > 0.0f || color.z > 0.0f);
 }
 
@@ -29,7 +29,7 @@ size_t countMaterials(const Scene& scene, const Predicate& predicate) {
 }
 
 bool shines(const Material* material) {
-    return !black(material->emission);
+    return !isBlack(material->emission);
 }
 bool isTextured(const Material* material) {
     return material->diffuseMap != kNoTexture;
@@ -43,14 +43,14 @@ bool isTexturedByFactor(const Material* material) {
 bool isMetalByTexture(const Material* material) {
     return material->metallicMap != kNoTexture && material->metallic > 0.0f;
 }
-bool isGlossy(const Material* material) {
+bool mayBeGlossy(const Material* material) {
     return material->reflectance > 0.0f || isMetalByTexture(material);
 }
 bool isGlossyByTexture(const Material* material) {
     return material->reflectance > 0.0f && material->reflectanceMap != kNoTexture;
 }
 bool isRoughByTexture(const Material* material) {
-    return isGlossy(material) && material->roughnessMap != kNoTexture;
+    return mayBeGlossy(material) && material->roughnessMap != kNoTexture;
 }
 bool isMapped(const Material* material) {
     return material->normalMap != kNoTexture;
@@ -109,11 +109,11 @@ Requirements requirementsOf(const Scene& scene, const RenderSettings& settings, 
     need.shadowRays = shadows && !mapped;
     if (shadows && mapped) need.shadowMap = (uint32_t) scene.lights.front().resolution;
     need.emission = countMaterials(scene, shines) > 0;
-    need.background = !black(scene.background);
+    need.background = !isBlack(scene.background);
     const bool textured = !scene.mesh.texcoords.empty();
     need.diffuseTextures = textured && countMaterials(scene, isTextured) > 0;
     need.emissionTextures = textured && countMaterials(scene, shinesByTexture) > 0;
-    need.gloss = countMaterials(scene, isGlossy) > 0 || settings.rayType == RayType::glossy ||
+    need.gloss = countMaterials(scene, mayBeGlossy) > 0 || settings.rayType == RayType::glossy ||
                  settings.rayType == RayType::specular;
     need.reflectanceTextures = textured && countMaterials(scene, isGlossyByTexture) > 0;
     need.roughnessTextures = textured && countMaterials(scene, isRoughByTexture) > 0;
@@ -165,13 +165,13 @@ std::vector<RequirementReason> explain(const Requirements& need, const Scene& sc
          need.openLight ? "the scene asks for it" : "not asked for"},
         {"emission", need.emission, share(countMaterials(scene, shines), materials, "materials")},
         {"background", need.background,
-         need.background ? "rays that miss see a radiance" : "rays that miss see black"},
+         need.background ? "rays that miss see a radiance" : "rays that miss see isBlack"},
         {"diffuse textures", need.diffuseTextures, ofTextured(isTextured)},
         {"emission textures", need.emissionTextures, ofTextured(shinesByTexture)},
         {"gloss", need.gloss,
          settings.rayType == RayType::glossy || settings.rayType == RayType::specular
              ? "asked for"
-             : share(countMaterials(scene, isGlossy), materials, "materials")},
+             : share(countMaterials(scene, mayBeGlossy), materials, "materials")},
         {"reflectance textures", need.reflectanceTextures, ofTextured(isGlossyByTexture)},
         {"roughness textures", need.roughnessTextures, ofTextured(isRoughByTexture)},
         {"metallic textures", need.metallicTextures,

@@ -3,6 +3,7 @@
 #include "core/base/denormals.h"
 #include "core/trace/holes.h"
 #include "core/trace/intersect.h"
+#include "core/trace/norms.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@
 namespace dirt {
 namespace {
 
-constexpr size_t kTrianglesPerPiece = 512;
+constexpr size_t kDrawnAtOnce = 512;
 
 /// Triangles with more texels in their rectangle are drawn in bands of rows, by all threads.
 constexpr int64_t kMostTexels = 1 << 14;
@@ -36,10 +37,6 @@ bool casts(const FrameGeometry& geometry, const ShadowMap& map, const Ray& ray, 
         return false;
     depth = hit.t;
     return true;
-}
-
-double oneNorm(const glm::dvec3& v) {
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
 /// The edge determinants of a triangle, in double, as functions of a texel's place: all are above
@@ -172,7 +169,7 @@ void rasterizeShadowMap(const FrameGeometry& geometry, const GridSpotlight& ligh
     const Raster raster(geometry, light, map, depths);
     std::vector<Caster> large;
     std::mutex mutex;
-    executor.forRange(geometry.triangles.size(), kTrianglesPerPiece, [&](size_t begin, size_t end) {
+    executor.forRange(geometry.triangles.size(), kDrawnAtOnce, [&](size_t begin, size_t end) {
         for (size_t id = begin; id < end; ++id) {
             const Triangle& t = geometry.triangles[id];
             Caster caster{(uint32_t) id, {}};

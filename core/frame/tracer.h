@@ -20,8 +20,12 @@ struct PassTime {
     int event = 0; ///< path event; 0 for the build
 };
 
+double totalMs(std::span<const PassTime> passes);
+
 /// A named buffer and its size, for the memory table.
 using BufferSize = std::pair<std::string, uint64_t>;
+
+uint64_t totalBytes(std::span<const BufferSize> buffers);
 
 /// What finds hits: builds a structure over a frame's geometry and casts rays through it.
 /// The same rays give the same bits for any number of threads.

@@ -9,7 +9,7 @@
 namespace dirt {
 namespace {
 
-constexpr size_t kTrianglesPerPiece = 8192;
+constexpr size_t kMovedAtOnce = 8192;
 
 static_assert(sizeof(Triangle) == 9 * sizeof(float));
 
@@ -27,8 +27,8 @@ void transformMesh(const Mesh& mesh, const Camera& camera, ViewMode mode, Execut
     frame = makeUnscaledFrame(camera, mode);
     geometry.triangles.resize(count);
     // Denormals count before the scale, which may make normal numbers of them.
-    std::vector<uint32_t> largest((count + kTrianglesPerPiece - 1) / kTrianglesPerPiece);
-    executor.forRange(count, kTrianglesPerPiece, [&](size_t begin, size_t end) {
+    std::vector<uint32_t> largest((count + kMovedAtOnce - 1) / kMovedAtOnce);
+    executor.forRange(count, kMovedAtOnce, [&](size_t begin, size_t end) {
         const KeepDenormals keep;
         uint32_t most = 0;
         for (size_t i = begin; i < end; ++i) {
@@ -41,13 +41,13 @@ void transformMesh(const Mesh& mesh, const Camera& camera, ViewMode mode, Execut
                 *vertices[k] = p;
             }
         }
-        largest[begin / kTrianglesPerPiece] = most;
+        largest[begin / kMovedAtOnce] = most;
     });
     const uint32_t most = count == 0 ? 0 : *std::max_element(largest.begin(), largest.end());
     frame.scale = scaleFor(std::bit_cast<float>(most));
     const float scale = frame.scale;
     auto* const floats = reinterpret_cast<float*>(geometry.triangles.data());
-    executor.forRange(count, kTrianglesPerPiece, [&](size_t begin, size_t end) {
+    executor.forRange(count, kMovedAtOnce, [&](size_t begin, size_t end) {
         const KeepDenormals keep;
         for (size_t i = 9 * begin; i < 9 * end; ++i) floats[i] = flushed(floats[i] * scale);
     });

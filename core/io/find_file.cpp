@@ -2,6 +2,7 @@
 
 #include "core/io/input_files.h"
 #include "core/io/opened_file.h"
+#include "core/io/text_file.h"
 
 #include <algorithm>
 #include <atomic>
@@ -17,12 +18,6 @@ namespace dirt {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lowerCase(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = (char) (c - 'A' + 'a');
-    return text;
-}
 
 std::atomic<FolderListings*> listing{nullptr};
 

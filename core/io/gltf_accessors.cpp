@@ -1,3 +1,4 @@
+#include "core/io/bytes.h"
 #include "core/io/gltf_data.h"
 #include "core/io/gltf_members.h"
 #include "core/io/load_report.h"
@@ -11,8 +12,6 @@ namespace dirt {
 
 namespace {
 
-/// Whole numbers in a file are at most what a double holds exactly.
-constexpr uint64_t kHighest = uint64_t(1) << 53;
 /// Elements without data of their own, which are zero, that any file may have, besides one for each
 /// of its bytes: a small file must not cost all memory.
 constexpr uint64_t kFreeZeros = 4096;
@@ -36,13 +35,6 @@ size_t componentBytes(uint64_t type) {
     default:
         return 0;
     }
-}
-
-template <typename Value>
-Value valueAt(std::span<const std::byte> bytes, size_t index) {
-    Value value;
-    std::memcpy(&value, bytes.data() + index * sizeof(Value), sizeof(Value));
-    return value;
 }
 
 uint32_t unsignedAt(std::span<const std::byte> bytes, uint64_t type, size_t index) {
@@ -79,7 +71,7 @@ float numberAt(std::span<const std::byte> bytes, uint64_t type, bool normalized,
 
 GltfData::Elements GltfData::elements(const JsonValue& accessor, size_t components) const {
     Elements elements;
-    elements.componentType = accessor.requiredInteger("componentType", kHighest);
+    elements.componentType = accessor.requiredInteger("componentType", JsonValue::kMostInteger);
     elements.normalized = accessor.boolean("normalized").value_or(false);
     const size_t elementBytes = componentBytes(elements.componentType) * components;
     if (elementBytes == 0) accessor.fail("has an unknown componentType");
@@ -90,9 +82,9 @@ GltfData::Elements GltfData::elements(const JsonValue& accessor, size_t componen
 
     const uint64_t perElement = elementBytes + 2 * sizeof(float) * components;
     elements.memory = MemoryClaim(memory_.budget());
-    if (const auto index = accessor.integer("bufferView", kHighest)) {
+    if (const auto index = accessor.integer("bufferView", JsonValue::kMostInteger)) {
         const auto bytes = view(*index, accessor);
-        const uint64_t offset = accessor.integer("byteOffset", kHighest).value_or(0);
+        const uint64_t offset = accessor.integer("byteOffset", JsonValue::kMostInteger).value_or(0);
         const uint64_t given = views_[*index].integer("byteStride", 252).value_or(0);
         const uint64_t stride = given == 0 ? elementBytes : given;
         if (stride < elementBytes) accessor.fail("has elements longer than their byteStride");
@@ -133,12 +125,12 @@ void GltfData::overwriteSparse(const JsonValue& accessor, uint64_t count, size_t
     if (!sparse) return;
     const uint64_t replaced = sparse->requiredInteger("count", count);
     const JsonValue places = sparse->required("indices"), values = sparse->required("values");
-    const uint64_t type = places.requiredInteger("componentType", kHighest);
+    const uint64_t type = places.requiredInteger("componentType", JsonValue::kMostInteger);
     if (type != kUnsignedByte && type != kUnsignedShort && type != kUnsignedInt)
         places.fail("has a componentType that is none of indices");
     const auto part = [&](const JsonValue& value, size_t size) {
-        const auto all = view(value.requiredInteger("bufferView", kHighest), value);
-        const uint64_t offset = value.integer("byteOffset", kHighest).value_or(0);
+        const auto all = view(value.requiredInteger("bufferView", JsonValue::kMostInteger), value);
+        const uint64_t offset = value.integer("byteOffset", JsonValue::kMostInteger).value_or(0);
         if (offset > all.size() || replaced > (all.size() - offset) / size)
             value.fail("reaches beyond its bufferView");
         return all.subspan(offset, replaced * size);

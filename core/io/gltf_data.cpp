@@ -1,5 +1,6 @@
 #include "core/io/gltf_data.h"
 
+#include "core/io/bytes.h"
 #include "core/io/find_file.h"
 #include "core/io/gltf_members.h"
 #include "core/io/gltf_meshopt.h"
@@ -11,20 +12,6 @@
 #include <nlohmann/json.hpp>
 
 namespace dirt {
-
-namespace {
-
-/// Whole numbers in a file are at most what a double holds exactly.
-constexpr uint64_t kHighest = uint64_t(1) << 53;
-
-template <typename Value>
-Value valueAt(std::span<const std::byte> bytes, size_t index) {
-    Value value;
-    std::memcpy(&value, bytes.data() + index * sizeof(Value), sizeof(Value));
-    return value;
-}
-
-} // namespace
 
 GltfData::GltfData(const std::filesystem::path& file, const MemoryBudget& budget)
     : file_(file), memory_(budget), bytes_(readBytes(file, memory_)) {
@@ -88,7 +75,8 @@ void GltfData::readBuffers() {
     loaded_.resize(sources.size());
     for (size_t i = 0; i < sources.size(); ++i) {
         Buffer& buffer = buffers_.emplace_back(Buffer{sources[i]});
-        const uint64_t length = buffer.source.requiredInteger("byteLength", kHighest);
+        const uint64_t length =
+            buffer.source.requiredInteger("byteLength", JsonValue::kMostInteger);
         std::span<const std::byte> bytes = binary_;
         if (const auto uri = buffer.source.text("uri")) {
             if (uri->starts_with("data:")) memory_.take(uri->size(), file_, buffer.source.place());
@@ -118,7 +106,7 @@ void GltfData::unpackViews() {
 
 /// What a value with a buffer, an offset and a length refers to.
 std::span<const std::byte> GltfData::range(const JsonValue& view) const {
-    const uint64_t index = view.requiredInteger("buffer", kHighest);
+    const uint64_t index = view.requiredInteger("buffer", JsonValue::kMostInteger);
     if (index >= buffers_.size()) view.fail("refers to a buffer that is not there");
     const Buffer& buffer = buffers_[index];
     if (!buffer.problem.empty()) {
@@ -127,8 +115,8 @@ std::span<const std::byte> GltfData::range(const JsonValue& view) const {
                       whyUnknown(*extension));
         buffer.source.fail(buffer.problem);
     }
-    const uint64_t offset = view.integer("byteOffset", kHighest).value_or(0);
-    const uint64_t length = view.requiredInteger("byteLength", kHighest);
+    const uint64_t offset = view.integer("byteOffset", JsonValue::kMostInteger).value_or(0);
+    const uint64_t length = view.requiredInteger("byteLength", JsonValue::kMostInteger);
     if (offset > buffer.bytes.size() || length > buffer.bytes.size() - offset)
         view.fail("reaches beyond its buffer");
     return buffer.bytes.subspan(offset, length);

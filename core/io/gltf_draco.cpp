@@ -17,8 +17,6 @@ namespace dirt {
 
 namespace {
 
-constexpr uint64_t kHighest = 0xfffffffe;
-
 /// What a mesh says it has, before anything of it is decoded. The decoder takes memory by these
 /// numbers and looks at its data afterwards.
 struct Counts {
@@ -100,8 +98,9 @@ std::optional<DracoMesh> readDraco(const GltfData& data, const JsonValue& primit
     const auto source =
         extensions ? extensions->object("KHR_draco_mesh_compression") : std::nullopt;
     if (!source) return std::nullopt;
-    const auto mesh = decode(data.view(source->requiredInteger("bufferView", kHighest), *source),
-                             data.memory().budget(), *source);
+    const auto mesh =
+        decode(data.view(source->requiredInteger("bufferView", JsonValue::kMostIndex), *source),
+               data.memory().budget(), *source);
     uint64_t bytes = 3 * sizeof(uint32_t) * uint64_t(mesh->num_faces());
     for (int i = 0; i < mesh->num_attributes(); ++i)
         bytes += sizeof(float) * uint64_t(mesh->num_points()) *
@@ -114,11 +113,11 @@ std::optional<DracoMesh> readDraco(const GltfData& data, const JsonValue& primit
     const JsonValue ids = source->required("attributes");
     const JsonValue accessors = primitive.required("attributes");
     for (const std::string& name : ids.names()) {
-        const auto id = (uint32_t) ids.requiredInteger(name.c_str(), kHighest);
+        const auto id = (uint32_t) ids.requiredInteger(name.c_str(), JsonValue::kMostIndex);
         const draco::PointAttribute* attribute = mesh->GetAttributeByUniqueId(id);
         if (attribute == nullptr || attribute->num_components() > 4)
             ids.fail("name " + inQuotes(name) + ", which is no vector there");
-        const auto accessor = accessors.integer(name.c_str(), kHighest);
+        const auto accessor = accessors.integer(name.c_str(), JsonValue::kMostIndex);
         if (!accessor) continue;
         result.attributes[name] = {
             (size_t) attribute->num_components(),

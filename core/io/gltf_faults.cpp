@@ -1,5 +1,7 @@
 #include "core/io/gltf_faults.h"
 
+#include "core/base/finite.h"
+
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -7,10 +9,6 @@
 namespace dirt {
 
 namespace {
-
-bool isFinite(glm::vec3 p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 class VertexChecker {
 public:

@@ -9,11 +9,9 @@ namespace dirt {
 
 namespace {
 
-constexpr uint64_t kHighest = 0xfffffffe;
-
 std::vector<float> read(const GltfData& data, const JsonValue& attributes, const char* name,
                         size_t components) {
-    const auto accessor = attributes.integer(name, kHighest);
+    const auto accessor = attributes.integer(name, JsonValue::kMostIndex);
     if (!accessor) return {};
     const std::vector<float> values = data.floats(*accessor, attributes, components);
     if (!std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))

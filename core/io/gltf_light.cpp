@@ -12,7 +12,6 @@ namespace dirt {
 
 namespace {
 
-constexpr uint64_t kHighest = 0xfffffffe;
 constexpr double kPi = std::numbers::pi;
 
 std::optional<JsonValue> punctual(const JsonValue& object) {
@@ -68,7 +67,7 @@ GltfLights::GltfLights(const GltfData& data, GltfIgnored& ignored) : ignored_(ig
 void GltfLights::place(const JsonValue& node, const glm::dmat4& toFile) {
     const auto reference = punctual(node);
     if (!reference) return;
-    const uint64_t index = reference->requiredInteger("light", kHighest);
+    const uint64_t index = reference->requiredInteger("light", JsonValue::kMostIndex);
     const JsonValue& source = JsonValue::at(lights_, index, *reference, "lights");
     const std::string type = source.text("type").value_or("");
     if (type != "spot") {

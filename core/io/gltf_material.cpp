@@ -17,8 +17,6 @@ namespace dirt {
 
 namespace {
 
-constexpr uint64_t kHighest = 0xfffffffe;
-
 /// Three numbers, or with alpha four.
 template <typename Vec>
 Vec colour(const JsonValue& owner, const char* name, Vec otherwise) {
@@ -181,7 +179,7 @@ std::vector<GltfFile::Image> gltfImages(const GltfData& data, MemoryClaim& memor
         GltfFile::Image& image = images.emplace_back();
         image.label = "images[" + std::to_string(images.size() - 1) + "]";
         const auto uri = source.text("uri");
-        const auto view = source.integer("bufferView", kHighest);
+        const auto view = source.integer("bufferView", JsonValue::kMostIndex);
         if (uri.has_value() == view.has_value()) source.fail("has not one of uri and bufferView");
         if (view) {
             const auto bytes = data.view(*view, source);

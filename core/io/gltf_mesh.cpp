@@ -10,8 +10,6 @@ namespace dirt {
 
 namespace {
 
-constexpr uint64_t kHighest = 0xfffffffe;
-
 template <typename Vector>
 std::vector<Vector> vectors(const std::vector<float>& values) {
     constexpr size_t kComponents = sizeof(Vector) / sizeof(float);
@@ -32,7 +30,7 @@ public:
     GltfFile::Primitive read(uint64_t mode) {
         GltfFile::Primitive primitive;
         uint64_t set = 0;
-        if (const auto material = source_.integer("material", kHighest)) {
+        if (const auto material = source_.integer("material", JsonValue::kMostIndex)) {
             if (*material >= surfaces_.size())
                 source_.fail("refers to a material that is not there");
             primitive.surface = (uint32_t) *material;
@@ -58,7 +56,7 @@ public:
 private:
     std::vector<uint32_t> readCorners(size_t count) const {
         std::vector<uint32_t> corners;
-        const auto indices = source_.integer("indices", kHighest);
+        const auto indices = source_.integer("indices", JsonValue::kMostIndex);
         if (draco_) {
             corners = draco_->corners;
         } else if (indices) {
@@ -90,7 +88,7 @@ private:
 
     /// Of three or four components, whose last is alpha.
     std::vector<glm::vec3> colors() const {
-        const auto accessor = attributes_.integer("COLOR_0", kHighest);
+        const auto accessor = attributes_.integer("COLOR_0", JsonValue::kMostIndex);
         if (!accessor) return {};
         const size_t components = data_.components(*accessor, attributes_) == 4 ? 4 : 3;
         const std::vector<float> all = values("COLOR_0", components);
@@ -119,7 +117,7 @@ private:
 
     /// An attribute's values, one after the other; none where the primitive has not got it.
     std::vector<float> values(const char* name, size_t components) const {
-        const auto accessor = attributes_.integer(name, kHighest);
+        const auto accessor = attributes_.integer(name, JsonValue::kMostIndex);
         if (!accessor) return {};
         if (draco_)
             if (const auto values = draco_->values(name, components)) return *values;

@@ -10,7 +10,6 @@ namespace dirt {
 
 namespace {
 
-constexpr uint64_t kHighest = 0xfffffffe;
 /// Of vertices 64 bytes take at least one, of triangles (12 bytes) and of indices each one.
 constexpr uint64_t kMostFromOneByte = 64;
 
@@ -46,8 +45,8 @@ std::string decodeMeshopt(const JsonValue& source, std::span<const std::byte> by
                           MemoryClaim& memory) {
     const std::string mode = source.text("mode").value_or("");
     const std::string filter = source.text("filter").value_or("NONE");
-    const uint64_t count = source.requiredInteger("count", kHighest);
-    const uint64_t stride = source.requiredInteger("byteStride", kHighest);
+    const uint64_t count = source.requiredInteger("count", JsonValue::kMostIndex);
+    const uint64_t stride = source.requiredInteger("byteStride", JsonValue::kMostIndex);
     check(source, mode, filter, count, stride);
     if (count * stride / kMostFromOneByte > bytes.size())
         source.fail("claims more than its bytes can hold");

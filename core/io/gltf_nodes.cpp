@@ -9,7 +9,6 @@ namespace dirt {
 
 namespace {
 
-constexpr uint64_t kHighest = 0xfffffffe;
 /// Nodes may place one mesh any number of times: a small file must not cost all memory.
 constexpr uint64_t kMostTriangles = uint64_t(1) << 28;
 
@@ -35,7 +34,7 @@ public:
             const glm::dmat4 toFile = visit.parentToFile * gltfTransformOf(node);
             const bool visible = visit.visible && isVisible(node);
             place(node, toFile, visible);
-            const auto children = node.integers("children", kHighest);
+            const auto children = node.integers("children", JsonValue::kMostIndex);
             for (auto child = children.rbegin(); child != children.rend(); ++child)
                 open.push_back({*child, toFile, visible});
         }
@@ -59,12 +58,12 @@ private:
         const auto scenes = root.objects("scenes");
         if (scenes.size() > 1) ignored_.add("scenes but one", scenes.size() - 1);
         if (!scenes.empty())
-            return JsonValue::at(scenes, root.integer("scene", kHighest).value_or(0), root,
-                                 "scenes")
-                .integers("nodes", kHighest);
+            return JsonValue::at(scenes, root.integer("scene", JsonValue::kMostIndex).value_or(0),
+                                 root, "scenes")
+                .integers("nodes", JsonValue::kMostIndex);
         std::vector<bool> isChild(nodes_.size(), false);
         for (const JsonValue& node : nodes_)
-            for (const uint64_t child : node.integers("children", kHighest))
+            for (const uint64_t child : node.integers("children", JsonValue::kMostIndex))
                 if (child < nodes_.size()) isChild[child] = true;
         std::vector<uint64_t> roots;
         for (size_t i = 0; i < nodes_.size(); ++i)
@@ -81,11 +80,11 @@ private:
 
     /// What is not visible neither shows nor shines; cameras are never seen.
     void place(const JsonValue& node, const glm::dmat4& toFile, bool visible) {
-        if (const auto camera = node.integer("camera", kHighest))
+        if (const auto camera = node.integer("camera", JsonValue::kMostIndex))
             placeCamera(node, *camera, toFile);
         if (!visible) return;
         lights_.place(node, toFile);
-        const auto mesh = node.integer("mesh", kHighest);
+        const auto mesh = node.integer("mesh", JsonValue::kMostIndex);
         if (!mesh) return;
         if (*mesh >= gltf_.meshes.size()) node.fail("refers to a mesh that is not there");
         if (const auto instances = gltfInstances(data_, node))

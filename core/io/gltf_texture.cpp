@@ -8,7 +8,6 @@ namespace dirt {
 
 namespace {
 
-constexpr uint64_t kHighest = 0xfffffffe;
 constexpr uint64_t kNearest = 9728, kRepeat = 10497, kClampToEdge = 33071, kMirroredRepeat = 33648;
 
 std::optional<JsonValue> transformOf(const JsonValue& reference) {
@@ -41,7 +40,7 @@ GltfTextures::GltfTextures(const GltfData& data, size_t images, GltfIgnored& ign
     : images_(images), textures_(data.root().objects("textures")),
       samplers_(data.root().objects("samplers")), ignored_(ignored) {
     for (const JsonValue& sampler : samplers_)
-        if (sampler.integer("magFilter", kHighest) == kNearest)
+        if (sampler.integer("magFilter", JsonValue::kMostIndex) == kNearest)
             ignored_.add("sampler magFilter NEAREST");
 }
 
@@ -50,17 +49,17 @@ GltfTextureUse GltfTextures::use(const JsonValue& owner, const char* name,
     GltfTextureUse result;
     const auto reference = owner.object(name);
     if (!reference) return result;
-    const uint64_t index = reference->requiredInteger("index", kHighest);
+    const uint64_t index = reference->requiredInteger("index", JsonValue::kMostIndex);
     const JsonValue& texture = JsonValue::at(textures_, index, *reference, "textures");
-    const auto source = texture.integer("source", kHighest);
+    const auto source = texture.integer("source", JsonValue::kMostIndex);
     if (!source) { // an image of an extension, or none
         ignored_.add("texture without source");
         return result;
     }
     if (*source >= images_) texture.fail("refers to an image that is not there");
-    uint64_t wanted = reference->integer("texCoord", kHighest).value_or(0);
+    uint64_t wanted = reference->integer("texCoord", JsonValue::kMostIndex).value_or(0);
     if (const auto transform = transformOf(*reference))
-        wanted = transform->integer("texCoord", kHighest).value_or(wanted);
+        wanted = transform->integer("texCoord", JsonValue::kMostIndex).value_or(wanted);
     if (!set) set = wanted;
     if (*set != wanted) ignored_.add("texture texCoord that is not the material's first");
     result.image = (uint32_t) *source;
@@ -69,7 +68,7 @@ GltfTextureUse GltfTextures::use(const JsonValue& owner, const char* name,
 }
 
 Wrap GltfTextures::wrap(const JsonValue& sampler, const char* name) {
-    const uint64_t mode = sampler.integer(name, kHighest).value_or(kRepeat);
+    const uint64_t mode = sampler.integer(name, JsonValue::kMostIndex).value_or(kRepeat);
     if (mode == kClampToEdge) return Wrap::clamp;
     if (mode == kMirroredRepeat) return Wrap::mirror;
     if (mode != kRepeat) ignored_.add("sampler " + std::string(name) + " " + std::to_string(mode));
@@ -78,7 +77,7 @@ Wrap GltfTextures::wrap(const JsonValue& sampler, const char* name) {
 
 TextureSampling GltfTextures::samplingOf(const JsonValue& reference, const JsonValue& texture) {
     TextureSampling sampling;
-    if (const auto index = texture.integer("sampler", kHighest)) {
+    if (const auto index = texture.integer("sampler", JsonValue::kMostIndex)) {
         const JsonValue& sampler = JsonValue::at(samplers_, *index, texture, "samplers");
         sampling.wrapU = wrap(sampler, "wrapS");
         sampling.wrapV = wrap(sampler, "wrapT");

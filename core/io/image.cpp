@@ -5,8 +5,6 @@
 #include "core/io/image_reader.h"
 #include "core/io/text_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include <OpenImageIO/imageio.h>
@@ -26,9 +24,7 @@ void encode(const std::string& path, const char* format, OIIO::ImageSpec spec,
 } // namespace
 
 ImageFormat imageFormat(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return (char) std::tolower(c); });
+    const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
     if (extension == ".png") return ImageFormat::png;
     if (extension == ".exr") return ImageFormat::exr;
     throw InputError(path + ": an image's name has to end in .png or .exr");

@@ -1,5 +1,7 @@
 #include "core/io/input_files.h"
 
+#include "core/io/text_file.h"
+
 #include <atomic>
 #include <system_error>
 
@@ -12,12 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 std::atomic<InputFiles*> counting{nullptr};
-
-std::string lowerCase(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = (char) (c - 'A' + 'a');
-    return text;
-}
 
 /// Without links, as far as it is there.
 fs::path resolvedFolder(const fs::path& folder) {

@@ -33,6 +33,11 @@ public:
     static const JsonValue& at(const std::vector<JsonValue>& list, uint64_t index,
                                const JsonValue& from, const char* name);
 
+    /// What 32 bits number; the last number stands for none.
+    static constexpr uint64_t kMostIndex = 0xfffffffe;
+    /// What a double holds exactly.
+    static constexpr uint64_t kMostInteger = uint64_t(1) << 53;
+
     std::optional<uint64_t> integer(const char* name, uint64_t highest) const;
     uint64_t requiredInteger(const char* name, uint64_t highest) const;
     std::optional<double> number(const char* name, double lowest, double highest) const;

@@ -19,12 +19,12 @@ struct LoadOptions {
     bool strict = false; ///< what would be a warning is an InputError
     bool cache = false;  ///< OBJ files through their caches, but where a .scene file forbids it
     /// What the MTL files of all objects are taken for; none: what the files say.
-    std::optional<MaterialConvention> materials;
+    std::optional<MaterialConvention> materials{};
     Executor* executor = nullptr; ///< whose threads read files; none: one after the other
     /// For the files while they are read, and for what is kept of them; without a limit unless one
     /// is given. One for each scene.
-    MemoryBudget memory;
-    LoadProgress progress; ///< of models, then of textures; may be empty
+    MemoryBudget memory{};
+    LoadProgress progress{}; ///< of models, then of textures; may be empty
 };
 
 /// A scene, at frame 0 if it is animated, and what its file said besides.

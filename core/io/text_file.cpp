@@ -99,6 +99,12 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
+std::string lowerCase(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = (char) (c - 'A' + 'a');
+    return text;
+}
+
 std::string_view takeWord(std::string_view& text) {
     size_t begin = 0;
     while (begin < text.size() && isBlank(text[begin])) ++begin;

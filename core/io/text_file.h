@@ -64,6 +64,9 @@ constexpr bool isBlank(char c) {
 /// \p text without blanks at either end.
 std::string_view trimmed(std::string_view text);
 
+/// With small letters for the capital ones of ASCII.
+std::string lowerCase(std::string text);
+
 /// Takes the next word, up to a blank, off the front of \p text; empty where none is left.
 std::string_view takeWord(std::string_view& text);
 

@@ -15,12 +15,6 @@ namespace {
 /// Deeper nesting is refused, so that walking the tree needs little stack.
 constexpr int kMaxDepth = 256;
 
-std::string lowerCase(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = (char) (c - 'A' + 'a');
-    return text;
-}
-
 bool isSeparator(char c) {
     return isBlank(c) || c == ',' || c == '\n' || c == '\r';
 }

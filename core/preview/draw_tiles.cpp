@@ -31,7 +31,7 @@ PreviewPicture drawDepths(const Grid& grid, int level, bool near) {
     return map.paint(false);
 }
 
-PreviewPicture drawEntries(const Grid& grid, int bin) {
+PreviewPicture drawEntryCounts(const Grid& grid, int bin) {
     const Sheet sheet(grid, 0);
     HeatMap map(sheet.width(), sheet.height(grid),
                 bin < 0 ? "entries a tile" : "entries of bin " + std::to_string(bin));
@@ -63,7 +63,7 @@ PreviewPicture drawFirst(const Grid& grid) {
 PreviewPicture drawCells(const Grid& grid, const PreviewRequest& request) {
     const std::string_view name = request.kind->name;
     if (name == "first") return drawFirst(grid);
-    if (name == "entries") return drawEntries(grid, request.bin);
+    if (name == "entries") return drawEntryCounts(grid, request.bin);
     return drawDepths(grid, request.level, name == "near");
 }
 

@@ -10,7 +10,7 @@ namespace dirt {
 namespace {
 
 // Pixels.
-constexpr int kLeastSide = 768, kMargin = 12, kGap = 12;
+constexpr int kLeastSide = 768, kCaptionMargin = 12, kGap = 12;
 constexpr int kBarWidth = 256, kBarHeight = 18;
 
 /// How many times a picture is enlarged.
@@ -86,15 +86,15 @@ Picture present(const PreviewPicture& picture) {
     const int width = picture.width * times, height = picture.height * times;
     const int caption = captionHeight(picture);
     if (times == 1 && caption == 0 && picture.marks.empty()) return picture;
-    Picture presented(std::max(width, captionWidth(picture) + 2 * kMargin),
-                      height + (caption > 0 ? caption + kMargin : 0));
+    Picture presented(std::max(width, captionWidth(picture) + 2 * kCaptionMargin),
+                      height + (caption > 0 ? caption + kCaptionMargin : 0));
     Canvas canvas(presented);
     canvas.fill({0, 0, presented.width, presented.height}, kBackground);
     canvas.paste(picture, 0, 0, times);
     drawParts(canvas, picture, times);
     Canvas within = canvas.within({0, 0, width, height});
     drawMarks(within, picture.marks.marks, glm::dvec2(0.0), times);
-    drawCaption(canvas, kMargin, height + kMargin, picture);
+    drawCaption(canvas, kCaptionMargin, height + kCaptionMargin, picture);
     return presented;
 }
 

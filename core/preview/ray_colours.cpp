@@ -6,8 +6,8 @@ namespace dirt {
 
 namespace {
 constexpr int kSwatch = 18; // pixels
-constexpr int kGap = 10;    // before the words
-constexpr int kStep = 24;   // from key to key
+constexpr int kBeforeWords = 10;
+constexpr int kStep = 24; // from key to key
 } // namespace
 
 int drawKeys(Canvas& canvas, int x, int y, const std::vector<Key>& keys) {
@@ -26,7 +26,7 @@ int drawKeys(Canvas& canvas, int x, int y, const std::vector<Key>& keys) {
             canvas.cross(middle, kSwatch / 3, key.fill);
             break;
         }
-        canvas.text(x + kSwatch + kGap, y + 2, key.meaning, kWords);
+        canvas.text(x + kSwatch + kBeforeWords, y + 2, key.meaning, kWords);
         y += kStep;
     }
     return heightOf(keys);
@@ -34,7 +34,8 @@ int drawKeys(Canvas& canvas, int x, int y, const std::vector<Key>& keys) {
 
 int widthOf(const std::vector<Key>& keys) {
     int width = 0;
-    for (const Key& key : keys) width = std::max(width, kSwatch + kGap + textWidth(key.meaning));
+    for (const Key& key : keys)
+        width = std::max(width, kSwatch + kBeforeWords + textWidth(key.meaning));
     return width;
 }
 

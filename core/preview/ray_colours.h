@@ -21,6 +21,9 @@ inline constexpr Colour kRayLine{255, 255, 255}, kRayBeyond{120, 120, 120};
 inline constexpr Colour kHitMark{255, 70, 50};
 inline constexpr Colour kMissed{165, 165, 165}, kFarther{86, 180, 233}, kRefused{204, 121, 167};
 
+/// Around and between what is in a picture, in pixels.
+inline constexpr int kPictureMargin = 16;
+
 /// Of a triangle, by what became of it.
 inline Colour colourOf(Tested result) {
     switch (result) {

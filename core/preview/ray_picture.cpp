@@ -12,7 +12,7 @@ namespace dirt {
 
 namespace {
 
-constexpr int kMargin = 16, kLeastPanel = 340; // pixels
+constexpr int kLeastPanel = 340;               // pixels
 constexpr uint64_t kLargestPicture = 1u << 26; // pixels
 
 /// A view that the ray enters, and where its drawings stand.
@@ -45,12 +45,12 @@ std::vector<Band> bandsOf(const Grid& grid, const RayTrail& trail, int top) {
         if (view.cells.empty()) continue; // touched in the eye alone
         Band band{&view, windowOf(grid.views[(size_t) view.span.view], view), {}, {}};
         band.title = titleOf(grid, view, band.window);
-        band.window.left = kMargin;
+        band.window.left = kPictureMargin;
         band.window.top = top + textHeight() + 4;
-        band.depths = {band.window.box().right() + kMargin, band.window.top, depthPanelWidth(view),
-                       std::max(band.window.height(), kLeastPanel)};
+        band.depths = {band.window.box().right() + kPictureMargin, band.window.top,
+                       depthPanelWidth(view), std::max(band.window.height(), kLeastPanel)};
         if (band.depths.width == 0) band.depths.height = 0;
-        top = band.bottom() + kMargin;
+        top = band.bottom() + kPictureMargin;
         bands.push_back(band);
     }
     return bands;
@@ -140,28 +140,29 @@ Picture drawRay(const Grid& grid, const FrameGeometry& geometry, const RayTrail&
                 const std::string& title) {
     const DrawnRay ray{grid, geometry, trail};
     const std::string outcome = outcomeOf(ray);
-    const int head = kMargin + 2 * textHeight() + 8;
+    const int head = kPictureMargin + 2 * textHeight() + 8;
     const std::vector<Band> bands = bandsOf(grid, trail, head);
     const std::vector<Key> ofTiles = tileKeys(trail.maxT.has_value()), ofDepths = depthKeys();
-    int width = 2 * kMargin + std::max(textWidth(title), textWidth(outcome));
-    width = std::max(width, 4 * kMargin + widthOf(ofTiles) + widthOf(ofDepths));
+    int width = 2 * kPictureMargin + std::max(textWidth(title), textWidth(outcome));
+    width = std::max(width, 4 * kPictureMargin + widthOf(ofTiles) + widthOf(ofDepths));
     int top = head;
     for (const Band& band : bands) {
-        width = std::max({width, band.right() + kMargin, 2 * kMargin + textWidth(band.title)});
-        top = band.bottom() + kMargin;
+        width = std::max(
+            {width, band.right() + kPictureMargin, 2 * kPictureMargin + textWidth(band.title)});
+        top = band.bottom() + kPictureMargin;
     }
-    Picture picture(width, top + std::max(heightOf(ofTiles), heightOf(ofDepths)) + kMargin);
+    Picture picture(width, top + std::max(heightOf(ofTiles), heightOf(ofDepths)) + kPictureMargin);
     Canvas canvas(picture);
     canvas.fill({0, 0, picture.width, picture.height}, kBackground);
-    canvas.text(kMargin, kMargin, title, kWords);
-    canvas.text(kMargin, kMargin + textHeight(), outcome, kWords);
+    canvas.text(kPictureMargin, kPictureMargin, title, kWords);
+    canvas.text(kPictureMargin, kPictureMargin + textHeight(), outcome, kWords);
     for (const Band& band : bands) {
-        canvas.text(kMargin, band.window.top - textHeight() - 2, band.title, kFaintWords);
+        canvas.text(kPictureMargin, band.window.top - textHeight() - 2, band.title, kFaintWords);
         drawTilesPanel(canvas, ray, *band.trail, band.window);
         if (band.depths.width > 0) drawDepthPanel(canvas, ray, *band.trail, band.depths);
     }
-    drawKeys(canvas, kMargin, top, ofTiles);
-    drawKeys(canvas, 3 * kMargin + widthOf(ofTiles), top, ofDepths);
+    drawKeys(canvas, kPictureMargin, top, ofTiles);
+    drawKeys(canvas, 3 * kPictureMargin + widthOf(ofTiles), top, ofDepths);
     return picture;
 }
 

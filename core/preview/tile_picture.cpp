@@ -12,9 +12,9 @@ namespace dirt {
 namespace {
 
 // Pixels: of a side of the drawings, of the tile within, around them, and for numbers.
-constexpr int kSide = 576, kTile = 512, kMargin = 16, kNumbers = 110;
+constexpr int kSide = 576, kTile = 512, kNumbers = 110;
 
-Colour colourOf(const TileEntry& entry) {
+Colour entryColour(const TileEntry& entry) {
     return entry.isRight() ? idColour(entry.id) : kHitMark;
 }
 
@@ -34,7 +34,7 @@ void drawPolygons(Canvas canvas, const View& view, const std::vector<TileEntry>&
         for (size_t i = 0; i < entry.polygon.size(); ++i) { // lines to the eye have no end
             const glm::dvec3 a = entry.polygon[i];
             const glm::dvec3 b = entry.polygon[(i + 1) % entry.polygon.size()];
-            inside.line(at(a), at(b), colourOf(entry), entries.size() < 100 ? 2 : 1);
+            inside.line(at(a), at(b), entryColour(entry), entries.size() < 100 ? 2 : 1);
         }
 }
 
@@ -58,7 +58,7 @@ void drawDepths(Canvas canvas, const Grid& grid, const DepthBounds& bounds,
         const double far = entry.isDue ? (double) entry.depths.far : high;
         const int top = (int) std::floor(y(far)), bottom = (int) std::ceil(y(near));
         const int width = std::clamp(right - left - 2, 1, 24);
-        canvas.within(box).fill({left, top, width, std::max(bottom - top, 2)}, colourOf(entry));
+        canvas.within(box).fill({left, top, width, std::max(bottom - top, 2)}, entryColour(entry));
     }
     const std::string far = scaleNumber(high), near = scaleNumber(low);
     canvas.text(box.left - 8 - textWidth(far), box.top, far, kFaintWords);
@@ -70,25 +70,25 @@ void drawDepths(Canvas canvas, const Grid& grid, const DepthBounds& bounds,
 Picture drawEntries(const Grid& grid, const std::vector<TileEntry>& entries, int view, int column,
                     int row, const std::string& title) {
     const View& seen = grid.views[(size_t) view];
-    const int head = kMargin + textHeight() + 8;
+    const int head = kPictureMargin + textHeight() + 8;
     using Shape = Key::Shape;
     const std::vector<Key> keys{
         {Shape::box, kEmptyTile, kVisitedRim,
          "the tile, and the corners of what it lists in it; a colour for each primitive"},
         {Shape::box, kEmptyTile, kFilledTile, "its bins, and the depths of the same, by id"},
         {Shape::box, kHitMark, kHitMark, "listed where it is not due, or due and not listed"}};
-    const Box left{kMargin, head, kSide, kSide};
-    const Box right{left.right() + kNumbers + kMargin, head, kSide, kSide};
-    Picture picture(std::max({right.right() + kMargin, textWidth(title) + 2 * kMargin,
-                              widthOf(keys) + 2 * kMargin}),
-                    left.bottom() + kMargin + heightOf(keys) + kMargin);
+    const Box left{kPictureMargin, head, kSide, kSide};
+    const Box right{left.right() + kNumbers + kPictureMargin, head, kSide, kSide};
+    Picture picture(std::max({right.right() + kPictureMargin, textWidth(title) + 2 * kPictureMargin,
+                              widthOf(keys) + 2 * kPictureMargin}),
+                    left.bottom() + kPictureMargin + heightOf(keys) + kPictureMargin);
     Canvas canvas(picture);
     canvas.fill({0, 0, picture.width, picture.height}, kBackground);
-    canvas.text(kMargin, kMargin, title, kWords);
+    canvas.text(kPictureMargin, kPictureMargin, title, kWords);
     drawPolygons(canvas, seen, entries, column, row, left);
     const DepthBounds& bounds = grid.bounds(view, row * seen.columns + column);
     if (!bounds.empty()) drawDepths(canvas, grid, bounds, entries, right);
-    drawKeys(canvas, kMargin, left.bottom() + kMargin, keys);
+    drawKeys(canvas, kPictureMargin, left.bottom() + kPictureMargin, keys);
     return picture;
 }
 

@@ -1,6 +1,7 @@
 #include "core/trace/determinant.h"
 
 #include "core/base/exact_sum.h"
+#include "core/trace/norms.h"
 #include "shaders/shared/margins.h"
 
 #include <algorithm>
@@ -38,15 +39,6 @@ double directionDeterminantExact(glm::vec3 d, glm::vec3 a, glm::vec3 b, glm::vec
 }
 
 namespace {
-
-template <class Vec>
-double maxNorm(const Vec& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-template <class Vec>
-double oneNorm(const Vec& v) {
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
 
 /// Sign of v . (x × y) in double, or 0 where that is in doubt. The bound is derived in
 /// intersect.cpp.

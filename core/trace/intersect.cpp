@@ -2,6 +2,7 @@
 
 #include "core/base/denormals.h"
 #include "core/trace/determinant.h"
+#include "core/trace/norms.h"
 #include "shaders/shared/hit_rules.h"
 
 #include <algorithm>
@@ -20,15 +21,6 @@
 
 namespace dirt {
 namespace {
-
-template <class Vec>
-auto maxNorm(const Vec& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-template <class Vec>
-auto oneNorm(const Vec& v) {
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
 
 /// Of the grid frame. What a plane through it holds is no hit of the rays that start there.
 constexpr glm::vec3 kEye(0.0f);

@@ -13,14 +13,14 @@ namespace dirt {
 
 namespace {
 
-constexpr uint32_t kMost = 4096;
+constexpr uint32_t kMostSampled = 4096;
 constexpr uint32_t kCrowd = 10'000;
 
 /// Calls \p add(corners, positions, how many before it) for triangles of the scene as it is.
 template <class Add>
 void forTriangles(Scene& scene, Add&& add) {
     uint32_t count = 0;
-    for (const uint32_t id : sampleTriangles(scene.mesh, kMost)) {
+    for (const uint32_t id : sampleTriangles(scene.mesh, kMostSampled)) {
         const Corners corners = scene.mesh.triangles[id];
         glm::vec3 p[3];
         for (int k = 0; k < 3; k++) p[k] = scene.mesh.positions[corners[k]];
@@ -95,7 +95,7 @@ void addCoincident(Scene& scene) {
 
 void cutEdges(Scene& scene) {
     Mesh& mesh = scene.mesh;
-    for (const uint32_t id : sampleTriangles(mesh, kMost)) {
+    for (const uint32_t id : sampleTriangles(mesh, kMostSampled)) {
         const auto [a, b, c] = mesh.triangles[id];
         const uint32_t middle =
             addVertex(mesh, 0.5f * mesh.positions[a] + 0.5f * mesh.positions[b]);

@@ -1,6 +1,7 @@
 #include "core/verify/verify_extremes.h"
 
 #include "core/base/error.h"
+#include "core/base/finite.h"
 #include "core/frame/renderer.h"
 #include "core/frame/requirements.h"
 #include "core/frame/transform_mesh.h"
@@ -21,10 +22,6 @@ void add(const BackendReport& from, BackendReport& to) {
     to.maxRelativeTError = std::max(to.maxRelativeTError, from.maxRelativeTError);
     to.maxUlpTError = std::max(to.maxUlpTError, from.maxUlpTError);
     to.traceMs += from.traceMs;
-}
-
-bool isFinite(glm::vec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 } // namespace

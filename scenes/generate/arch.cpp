@@ -1,15 +1,14 @@
 #include "scenes/generate/arch.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "scenes/generate/block.h"
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 
 namespace dirt::generate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double ringWidth = 0.24; // of the voussoirs, relative to the radius
 
 /// Section of a voussoir, from the wall's back over the soffit to its front: (radial, z).

@@ -10,14 +10,13 @@
 #include "scenes/generate/bunny_materials.h"
 #include "scenes/generate/loft.h"
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/sweep.h"
 
 namespace dirt::generate {
 namespace {
 
 using namespace bunny;
-
-constexpr double turn = 2 * std::numbers::pi;
 
 /// A stuffed shape: between an ellipsoid (power 1) and a box (power near 0), slightly uneven.
 void addStuffed(Mesh& mesh, int material, Vec3 centre, Vec3 radii, double power,

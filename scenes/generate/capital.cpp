@@ -5,12 +5,11 @@
 
 #include "scenes/generate/block.h"
 #include "scenes/generate/column.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/sweep.h"
 
 namespace dirt::generate {
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 /// The bell under the leaves, at a height in [0, 1] of its own.
 double bellRadius(double neck, double s) {

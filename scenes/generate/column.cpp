@@ -1,25 +1,19 @@
 #include "scenes/generate/column.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "scenes/generate/block.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/sweep.h"
 
 namespace dirt::generate {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr double topShrink = 0.15; // the shaft's top is this much thinner than its foot
 
 /// A shaft swells: it thins slowly at first, then faster.
 double entasis(double s) {
     return 1 - topShrink * std::pow(s, 1.8);
-}
-
-double smoothStep(double low, double high, double x) {
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
 }
 
 /// Plinth, torus, scotia, torus: the Attic base, as high as the shaft's radius.

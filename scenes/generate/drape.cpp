@@ -1,17 +1,16 @@
 #include "scenes/generate/drape.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/sweep.h"
 
 namespace dirt::generate {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr double clothThickness = 0.008;
 
 /// The cloth's two faces, its trimmed borders and its closed rim, over (u across, v down).

@@ -4,12 +4,11 @@
 #include <numbers>
 
 #include "scenes/generate/atrium_materials.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/sweep.h"
 
 namespace dirt::generate {
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 /// Still water with rings around the middle, where drops fall in.
 void addWater(Mesh& mesh, double radius, double y, int rings) {

@@ -1,16 +1,14 @@
 #include "scenes/generate/gallery.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "scenes/generate/arch.h"
 #include "scenes/generate/atrium_materials.h"
 #include "scenes/generate/block.h"
+#include "scenes/generate/numbers.h"
 
 namespace dirt::generate {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// Where a bay's opening lies.
 struct Opening {

@@ -1,7 +1,6 @@
 #include "scenes/generate/hangar_aircraft.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -9,6 +8,7 @@
 #include "scenes/generate/block.h"
 #include "scenes/generate/hangar_materials.h"
 #include "scenes/generate/loft.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/sweep.h"
 
 namespace dirt::generate {
@@ -16,7 +16,6 @@ namespace {
 
 using namespace hangar;
 
-constexpr double pi = std::numbers::pi;
 constexpr double nacelleX = 2.9;
 constexpr double nacelleY = 1.95;
 constexpr double cowlFront = 4.55;

@@ -8,6 +8,8 @@ namespace dirt::generate {
 constexpr double hallHalfWidth = 20;
 constexpr double hallFar = -34;
 constexpr double hallNear = 30;
+/// From one frame of steel to the next.
+constexpr double steelBay = 6.4;
 
 /// Floor with its markings, walls, windows, doors.
 void addHallShell(Mesh& mesh);

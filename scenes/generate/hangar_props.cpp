@@ -10,14 +10,13 @@
 #include "scenes/generate/hangar_materials.h"
 #include "scenes/generate/loft.h"
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/sweep.h"
 
 namespace dirt::generate {
 namespace {
 
 using namespace hangar;
-
-constexpr double turn = 2 * std::numbers::pi;
 
 void addCastors(Mesh& mesh, double x, double z, double radius) {
     const Mesh wheel = makeWheel(mesh.detail(), radius, 0.6 * radius);

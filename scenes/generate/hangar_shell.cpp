@@ -13,7 +13,6 @@ namespace {
 using namespace hangar;
 
 constexpr double length = hallNear - hallFar;
-constexpr double bay = 6.4;
 constexpr double eaves = 11.7;
 
 /// Corrugated sheet facing +z between two corners in the plane z = 0.
@@ -57,8 +56,8 @@ Mesh makeSideWall(const Detail& detail) {
     Mesh mesh(detail);
     const double half = length / 2;
     for (int k = 0; k < 10; ++k) {
-        const double x = -half + bay * k;
-        addBlock(mesh, Concrete, {x + 0.01, 0, -0.3}, {x + bay - 0.01, 1.1, 0.10}, 0.025,
+        const double x = -half + steelBay * k;
+        addBlock(mesh, Concrete, {x + 0.01, 0, -0.3}, {x + steelBay - 0.01, 1.1, 0.10}, 0.025,
                  {2.7 * k, 0.4});
     }
     addBlock(mesh, Steel, {-half, 1.1, -0.2}, {half, 1.17, 0.13}, 0.01);
@@ -66,11 +65,12 @@ Mesh makeSideWall(const Detail& detail) {
     addBlock(mesh, Steel, {-half, 3.38, -0.2}, {half, 3.46, 0.06}, 0.01);
     addCorrugated(mesh, Wall, {-half, 3.44}, {half, 6.0});
     addCorrugated(mesh, Wall, {-half, 8.55}, {half, eaves + 0.4});
-    const Mesh window = makeWindow(detail, bay - 0.9, 2.4);
+    const Mesh window = makeWindow(detail, steelBay - 0.9, 2.4);
     for (int k = 0; k < 10; ++k) {
-        mesh.append(window, place({-half + bay * (k + 0.5), 6.1, 0}), {1.1 * k, 0});
-        mesh.addQuad(Wall, {-half + bay * k - 0.4, 5.9, 0.0}, {-half + bay * k + 0.4, 5.9, 0.0},
-                     {-half + bay * k + 0.4, 8.6, 0.0}, {-half + bay * k - 0.4, 8.6, 0.0});
+        mesh.append(window, place({-half + steelBay * (k + 0.5), 6.1, 0}), {1.1 * k, 0});
+        mesh.addQuad(Wall, {-half + steelBay * k - 0.4, 5.9, 0.0},
+                     {-half + steelBay * k + 0.4, 5.9, 0.0}, {-half + steelBay * k + 0.4, 8.6, 0.0},
+                     {-half + steelBay * k - 0.4, 8.6, 0.0});
     }
     return mesh;
 }
@@ -140,7 +140,7 @@ void addFloor(Mesh& mesh) {
         stripe(Hazard, {side < 0 ? -15.25 : 14.95, hallNear - 0.8},
                {side < 0 ? -14.95 : 15.25, hallNear});
         for (int k = 0; k < 9; ++k) {
-            const double z = hallFar + 3.4 + bay * k;
+            const double z = hallFar + 3.4 + steelBay * k;
             stripe(WhiteLine, {side < 0 ? -19.5 : 15.7, z - 0.05},
                    {side < 0 ? -15.7 : 19.5, z + 0.05});
         }

@@ -14,7 +14,6 @@ namespace {
 
 using namespace hangar;
 
-constexpr double bay = 6.4;
 constexpr int frames = 11;
 
 double arch(double x) {
@@ -70,7 +69,7 @@ Mesh makeTruss(const Detail& detail) {
     return mesh;
 }
 
-void addRoof(Mesh& mesh) {
+void addSteelRoof(Mesh& mesh) {
     const double period = 0.32;
     const bool waves = mesh.detail().shows(0.2);
     const int columns = waves ? static_cast<int>(64 / period) * mesh.detail().steps(6, 3) : 8;
@@ -198,7 +197,7 @@ void addHallSteel(Mesh& mesh) {
     const Mesh truss = makeTruss(detail);
     const Mesh panel = makePanel(detail);
     for (int k = 0; k < frames; ++k) {
-        const double z = hallFar + bay * k;
+        const double z = hallFar + steelBay * k;
         mesh.append(truss, place({0, 0, z}), {0.9 * k, 0});
         for (const double side : {-1.0, 1.0}) {
             mesh.append(post, place({side * 19.5, 0, z}, 90), {0.5 * k, 0.8 * k + side});
@@ -207,13 +206,13 @@ void addHallSteel(Mesh& mesh) {
         }
         if (k + 1 == frames) break;
         for (const double x : {-15.2, -7.6, 0.0, 7.6, 15.2}) {
-            mesh.append(panel, place({x, lowerChord(x).y - 0.25, z + bay / 2}));
+            mesh.append(panel, place({x, lowerChord(x).y - 0.25, z + steelBay / 2}));
         }
         for (const double x : {-9.4, 0.0, 9.4}) { // bracing between the frames
-            addBar(mesh, Steel, lowerChord(x) + Vec3(0, 0, z), upperChord(x) + Vec3(0, 0, z + bay),
-                   0.05, 0.05, 0);
-            addBar(mesh, Steel, upperChord(x) + Vec3(0, 0, z), lowerChord(x) + Vec3(0, 0, z + bay),
-                   0.05, 0.05, 0);
+            addBar(mesh, Steel, lowerChord(x) + Vec3(0, 0, z),
+                   upperChord(x) + Vec3(0, 0, z + steelBay), 0.05, 0.05, 0);
+            addBar(mesh, Steel, upperChord(x) + Vec3(0, 0, z),
+                   lowerChord(x) + Vec3(0, 0, z + steelBay), 0.05, 0.05, 0);
         }
     }
     for (const double side : {-1.0, 1.0}) { // the crane's rails
@@ -222,7 +221,7 @@ void addHallSteel(Mesh& mesh) {
         addBlock(mesh, Iron, {side * 18.6 - 0.03, 8.62, hallFar},
                  {side * 18.6 + 0.03, 8.68, hallNear}, 0);
     }
-    addRoof(mesh);
+    addSteelRoof(mesh);
     addDucts(mesh);
     mesh.append(makeCrane(detail, -6.5), place({0, 0, -13}));
 }

@@ -1,5 +1,7 @@
 #include "scenes/generate/noise.h"
 
+#include "scenes/generate/numbers.h"
+
 #include <cmath>
 
 namespace dirt::generate {
@@ -52,6 +54,13 @@ double hashUnit(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 
 double hashRange(double low, double high, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return low + (high - low) * hashUnit(a, b, c);
+}
+
+glm::dvec3 hashDirection(std::uint32_t a, std::uint32_t b) {
+    const double z = hashRange(-1, 1, a, b, 1);
+    const double angle = turn * hashUnit(a, b, 2);
+    const double r = std::sqrt(1 - z * z);
+    return {r * std::cos(angle), z, r * std::sin(angle)};
 }
 
 double periodicNoise(glm::dvec2 point, int period, std::uint32_t seed) {

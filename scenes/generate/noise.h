@@ -18,6 +18,9 @@ double hashUnit(std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0);
 double hashRange(double low, double high, std::uint32_t a, std::uint32_t b = 0,
                  std::uint32_t c = 0);
 
+/// A hash as a direction of length 1, all alike likely.
+glm::dvec3 hashDirection(std::uint32_t a, std::uint32_t b);
+
 /// Gradient noise in about [-1, 1] that repeats every `period` cells in both directions.
 double periodicNoise(glm::dvec2 point, int period, std::uint32_t seed);
 

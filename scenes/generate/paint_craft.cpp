@@ -5,17 +5,11 @@
 #include <glm/geometric.hpp>
 
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/paint.h"
 
 namespace dirt::generate {
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
-
-double smoothStep(double low, double high, double x) {
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 /// One damask figure around the origin: a palmette of petals over a stem, positive inside.
 double palmette(Vec2 p) {

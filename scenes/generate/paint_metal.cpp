@@ -3,15 +3,11 @@
 #include <glm/common.hpp>
 
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/paint.h"
 
 namespace dirt::generate {
 namespace {
-
-double smoothStep(double low, double high, double x) {
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 /// Distance from x to the nearest multiple of `period`.
 double toNearest(double x, double period) {

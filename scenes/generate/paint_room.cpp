@@ -4,15 +4,11 @@
 #include <glm/geometric.hpp>
 
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/paint.h"
 
 namespace dirt::generate {
 namespace {
-
-double smoothStep(double low, double high, double x) {
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 /// Whether two mirrored eighths of a medallion are inside, positive where they are.
 double medallion(Vec2 p, double size) {

@@ -11,7 +11,7 @@ namespace {
 
 // Low afternoon sun from behind the left shoulder, over the roof: it leaves the left arcade in the
 // shade, and what it lights on the right lights the left again.
-constexpr std::string_view atrium = R"(<?xml version="1.0" encoding="utf-8"?>
+constexpr std::string_view atriumText = R"(<?xml version="1.0" encoding="utf-8"?>
 
 <world background="1.5 1.9 2.5">
 
@@ -35,7 +35,7 @@ constexpr std::string_view atrium = R"(<?xml version="1.0" encoding="utf-8"?>
 </world>
 )";
 
-constexpr std::string_view cornell = R"(<?xml version="1.0" encoding="utf-8"?>
+constexpr std::string_view cornellText = R"(<?xml version="1.0" encoding="utf-8"?>
 
 <world background="0 0 0">
 
@@ -60,7 +60,7 @@ constexpr std::string_view cornell = R"(<?xml version="1.0" encoding="utf-8"?>
 )";
 
 // Morning sun through the open door, past the camera's left shoulder; panels light the rest.
-constexpr std::string_view hangar = R"(<?xml version="1.0" encoding="utf-8"?>
+constexpr std::string_view hangarText = R"(<?xml version="1.0" encoding="utf-8"?>
 
 <world background="1.6 2.2 3.0">
 
@@ -85,7 +85,7 @@ constexpr std::string_view hangar = R"(<?xml version="1.0" encoding="utf-8"?>
 )";
 
 // Late sun from the left, within the dome of the sky.
-constexpr std::string_view temples = R"(<?xml version="1.0" encoding="utf-8"?>
+constexpr std::string_view templesText = R"(<?xml version="1.0" encoding="utf-8"?>
 
 <world background="0.5 0.7 1.0">
 
@@ -110,7 +110,7 @@ constexpr std::string_view temples = R"(<?xml version="1.0" encoding="utf-8"?>
 )";
 
 // Morning sun through the window, the lamp faint beside it; and the lamp alone, in moonlight.
-constexpr std::string_view bunnyDay = R"(<?xml version="1.0" encoding="utf-8"?>
+constexpr std::string_view bunnyDayText = R"(<?xml version="1.0" encoding="utf-8"?>
 
 <world background="3.0 3.4 4.0">
 
@@ -134,7 +134,7 @@ constexpr std::string_view bunnyDay = R"(<?xml version="1.0" encoding="utf-8"?>
 </world>
 )";
 
-constexpr std::string_view bunnyNight = R"(<?xml version="1.0" encoding="utf-8"?>
+constexpr std::string_view bunnyNightText = R"(<?xml version="1.0" encoding="utf-8"?>
 
 <world background="0.05 0.075 0.13">
 
@@ -159,8 +159,8 @@ constexpr std::string_view bunnyNight = R"(<?xml version="1.0" encoding="utf-8"?
 )";
 
 constexpr std::pair<std::string_view, std::string_view> texts[] = {
-    {"atrium", atrium},   {"bunny_day", bunnyDay}, {"bunny_night", bunnyNight},
-    {"cornell", cornell}, {"hangar", hangar},      {"temples", temples},
+    {"atrium", atriumText},   {"bunny_day", bunnyDayText}, {"bunny_night", bunnyNightText},
+    {"cornell", cornellText}, {"hangar", hangarText},      {"temples", templesText},
 };
 
 } // namespace

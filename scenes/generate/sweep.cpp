@@ -1,5 +1,7 @@
 #include "scenes/generate/sweep.h"
 
+#include "scenes/generate/numbers.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -7,8 +9,6 @@
 
 namespace dirt::generate {
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 double widestRadius(const Profile& profile) {
     double widest = 0;

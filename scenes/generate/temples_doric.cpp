@@ -8,19 +8,14 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/sweep.h"
 
 namespace dirt::generate {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr int flutes = 20;
 constexpr double shrink = 0.22; // the shaft's top is this much thinner than its foot
-
-double smoothStep(double low, double high, double x) {
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 Vec3 offset(std::uint32_t seed) {
     return 40.0 * Vec3(hashUnit(seed, 1), hashUnit(seed, 2), hashUnit(seed, 3));

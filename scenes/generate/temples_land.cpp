@@ -8,6 +8,7 @@
 
 #include "scenes/generate/implicit.h"
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/temples_materials.h"
 #include "scenes/generate/temples_sky.h"
 
@@ -15,13 +16,6 @@ namespace dirt::generate {
 namespace {
 
 using namespace temples;
-
-constexpr double turn = 2 * std::numbers::pi;
-
-double smoothStep(double low, double high, double x) {
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 /// Ridged noise: sharp crests, in about [0, 1].
 double ridged(Vec3 p, int octaves, std::uint32_t seed) {

@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/sweep.h"
 #include "scenes/generate/temples_materials.h"
 
@@ -15,18 +15,9 @@ namespace {
 
 using namespace temples;
 
-constexpr double turn = 2 * std::numbers::pi;
-
-Vec3 unitVector(std::uint32_t a, std::uint32_t b) {
-    const double z = hashRange(-1, 1, a, b, 1);
-    const double angle = turn * hashUnit(a, b, 2);
-    const double r = std::sqrt(1 - z * z);
-    return {r * std::cos(angle), z, r * std::sin(angle)};
-}
-
 /// A narrow leaf, folded a little on its midrib: two quads.
-void addLeaf(Mesh& mesh, int material, Vec3 root, Vec3 along, Vec3 up, double length,
-             double width) {
+void addNarrowLeaf(Mesh& mesh, int material, Vec3 root, Vec3 along, Vec3 up, double length,
+                   double width) {
     const Vec3 way = glm::normalize(along);
     const Vec3 side = glm::normalize(glm::cross(way, up + Vec3(0.01, 0, 0.02)));
     const Vec3 top = glm::cross(side, way);
@@ -51,7 +42,7 @@ Mesh makeOliveTree(const Detail& detail, std::uint32_t seed) {
         [&](Vec3 from, Vec3 way, double length, double radius, int level) {
             ++id;
             const std::uint32_t me = id;
-            const Vec3 bend = unitVector(me, 3) * (0.28 * length);
+            const Vec3 bend = hashDirection(me, 3) * (0.28 * length);
             const Vec3 to = from + way * length;
             const auto path = [=](double t) {
                 return from + (to - from) * t + bend * (4 * t * (1 - t));
@@ -84,10 +75,10 @@ Mesh makeOliveTree(const Detail& detail, std::uint32_t seed) {
             for (int k = 0; k < leavesPerTwig; ++k) {
                 const auto leaf = hashBits(me, static_cast<std::uint32_t>(k), 13);
                 const double t = hashRange(0.0, 1.15, leaf, 1);
-                const Vec3 out = unitVector(leaf, 2);
+                const Vec3 out = hashDirection(leaf, 2);
                 const double size = hashRange(0.13, 0.22, leaf, 3);
-                addLeaf(mesh, OliveLeaf, path(t) + out * 0.09, out + way * 0.7, {0, 1, 0}, size,
-                        0.34 * size);
+                addNarrowLeaf(mesh, OliveLeaf, path(t) + out * 0.09, out + way * 0.7, {0, 1, 0},
+                              size, 0.34 * size);
             }
         };
     grow({0, -0.2, 0}, glm::normalize(Vec3(0.22, 1, 0.1)), 1.45, 0.24, 0);
@@ -100,13 +91,13 @@ Mesh makeShrub(const Detail& detail, std::uint32_t seed) {
     const double size = 0.055 * std::pow(900.0 / leaves, 0.35);
     for (int k = 0; k < leaves; ++k) {
         const auto id = hashBits(seed, static_cast<std::uint32_t>(k), 17);
-        Vec3 out = unitVector(id, 1);
+        Vec3 out = hashDirection(id, 1);
         out.y = std::abs(out.y);
         const double lumps = 1 + 0.35 * solidNoise(out * 2.4, seed);
         const Vec3 p =
             out * Vec3(0.48, 0.40, 0.48) * (lumps * std::pow(hashRange(0.3, 1, id, 2), 0.4));
-        addLeaf(mesh, Shrub, p, out + unitVector(id, 3) * 0.8, out + Vec3(0, 0.6, 0),
-                size * hashRange(0.7, 1.3, id, 4), 0.45 * size);
+        addNarrowLeaf(mesh, Shrub, p, out + hashDirection(id, 3) * 0.8, out + Vec3(0, 0.6, 0),
+                      size * hashRange(0.7, 1.3, id, 4), 0.45 * size);
     }
     return mesh;
 }

@@ -1,24 +1,18 @@
 #include "scenes/generate/temples_sky.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <glm/common.hpp>
 
 #include "scenes/generate/loft.h"
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 
 namespace dirt::generate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double lowest = -3;    // degrees
 constexpr double strength = 1.7; // radiance of a white texel
-
-double smoothStep(double low, double high, double x) {
-    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 // Most of the texture goes to the sky near the horizon; its edges are left out, as it repeats.
 constexpr double margin = 0.004;

@@ -7,19 +7,11 @@
 
 #include "scenes/generate/atrium_materials.h"
 #include "scenes/generate/noise.h"
+#include "scenes/generate/numbers.h"
 #include "scenes/generate/sweep.h"
 
 namespace dirt::generate {
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
-
-Vec3 unitVector(std::uint32_t a, std::uint32_t b) {
-    const double z = hashRange(-1, 1, a, b, 1);
-    const double angle = turn * hashUnit(a, b, 2);
-    const double r = std::sqrt(1 - z * z);
-    return {r * std::cos(angle), z, r * std::sin(angle)};
-}
 
 /// A leaf from `root` along `along`, its upper side towards `up`; folded on the midrib and bent.
 void addLeaf(Mesh& mesh, int material, Vec3 root, Vec3 along, Vec3 up, double length,
@@ -76,7 +68,7 @@ Mesh makeLemonTree(const Detail& detail, std::uint32_t seed) {
     const int branches = detail.number(14, 2);
     for (int k = 0; k < branches; ++k) {
         const Vec3 tip =
-            crown + unitVector(seed + 5, static_cast<std::uint32_t>(k)) * (0.8 * radius);
+            crown + hashDirection(seed + 5, static_cast<std::uint32_t>(k)) * (0.8 * radius);
         const Vec3 root = crown - Vec3(0, 0.25 - 0.02 * k, 0);
         addTube(
             mesh, Bark,
@@ -89,12 +81,12 @@ Mesh makeLemonTree(const Detail& detail, std::uint32_t seed) {
     const double size = 0.15 * std::pow(std::clamp(420.0 / leaves, 0.1, 30.0), 0.42);
     for (int k = 0; k < leaves; ++k) {
         const auto id = static_cast<std::uint32_t>(k);
-        const Vec3 clump = unitVector(seed + 5, id % 40u);
-        const Vec3 out = glm::normalize(clump * 0.9 + unitVector(seed + 9, id));
+        const Vec3 clump = hashDirection(seed + 5, id % 40u);
+        const Vec3 out = glm::normalize(clump * 0.9 + hashDirection(seed + 9, id));
         const double depth = radius * std::pow(hashRange(0.35, 1.0, seed + 13, id), 0.4);
         const double flatten = 0.9;
         const Vec3 root = crown + Vec3(out.x, out.y * flatten, out.z) * depth;
-        const Vec3 along = out + unitVector(seed + 17, id) * 0.9 + Vec3(0, -0.15, 0);
+        const Vec3 along = out + hashDirection(seed + 17, id) * 0.9 + Vec3(0, -0.15, 0);
         addLeaf(mesh, Leaf, root, along, out + Vec3(0, 0.6, 0),
                 size * hashRange(0.75, 1.2, seed + 21, id), 0.5 * size);
     }
@@ -104,7 +96,7 @@ Mesh makeLemonTree(const Detail& detail, std::uint32_t seed) {
     Mesh lemon(detail);
     addLathe(lemon, Lemon, fruit, detail.steps(9, 5));
     for (int k = 0; k < lemons; ++k) {
-        const Vec3 out = unitVector(seed + 31, static_cast<std::uint32_t>(k));
+        const Vec3 out = hashDirection(seed + 31, static_cast<std::uint32_t>(k));
         mesh.append(lemon, place(crown + out * (radius * 0.97) - Vec3(0, 0.08, 0)));
     }
     return mesh;

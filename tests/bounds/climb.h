@@ -18,6 +18,8 @@
 /// against exact arithmetic.
 namespace dirt::test {
 
+inline constexpr double u = 0x1p-24, v = 0x1p-53; // a rounding to float, to double
+
 /// The numbers of one case: vertices, origins, directions, one after the other.
 template <size_t N>
 using Numbers = std::array<float, N>;

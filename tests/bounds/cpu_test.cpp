@@ -16,8 +16,6 @@
 namespace dirt::test {
 namespace {
 
-constexpr double u = 0x1p-24, v = 0x1p-53; // a rounding to float, to double
-
 /// What of kCellSlack a depth of a bin needs to be in the box of the bin's cell. The tile's bounds,
 /// the bin, and the depth's distance from the bin's border.
 TEST(Bounds, EndsOfCells) {
@@ -160,7 +158,7 @@ double distance(double f, const Integer& exact, int exponent) {
     const int unit = f == 0.0 ? exponent : std::min(exponent, lowestExponent(f));
     return toDouble(abs(toInteger(f, unit) - (exact << (exponent - unit))), unit);
 }
-bool isCase(const Numbers<12>& in) {
+bool isWalkCase(const Numbers<12>& in) {
     return std::all_of(in.begin(), in.end(), [](float x) { return std::abs(x) < 4.0f; });
 }
 LightTriangle seenFrom(const Numbers<12>& in) {
@@ -175,7 +173,7 @@ TEST(Bounds, PlanesThroughTheLight) {
                            -0x1.954d3ep-3f, 0x1p-60f, 0x1.6fee06p-2f, 0x1.ffef14p-2f}},
                          fromLight,
                          [](const Numbers<12>& in) {
-                             if (!isCase(in)) return -HUGE_VAL;
+                             if (!isWalkCase(in)) return -HUGE_VAL;
                              const LightTriangle seen = seenFrom(in);
                              const ExactLight exact(in);
                              const Integer nx = exact.b.y * exact.c.z - exact.b.z * exact.c.y;
@@ -193,7 +191,7 @@ TEST(Bounds, OrientationFromTheLight) {
           0x1.2a41dep-2f, 0x1.36d1f2p-33f}},
         fromLight,
         [](const Numbers<12>& in) {
-            if (!isCase(in)) return -HUGE_VAL;
+            if (!isWalkCase(in)) return -HUGE_VAL;
             const LightTriangle seen = seenFrom(in);
             const ExactLight exact(in);
             const double sum =

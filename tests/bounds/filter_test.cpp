@@ -7,8 +7,6 @@
 namespace dirt::test {
 namespace {
 
-constexpr double u = 0x1p-24; // a rounding to float
-
 /// Where the ray is seen as an axis: lateral coordinates of the vertices, exactly, and what the
 /// filter compares them with.
 struct Lateral {

@@ -11,11 +11,9 @@
 namespace dirt::test {
 namespace {
 
-constexpr double u = 0x1p-24; // a rounding to float
-
 /// As fine as a view may be, with borders that are no floats.
 constexpr int kTiles = kMaxTiles - 1;
-const View& face() {
+const View& finestFace() {
     static const ViewSet set = fullViews(kTiles, 1);
     return set.views[4]; // its frame is the grid's
 }
@@ -27,7 +25,7 @@ double highBorder(int tile) {
     return (tile + 1) * kTile - 1.0 + kGuardBand * kTile;
 }
 
-Triangle triangleOf(const Numbers<9>& x) {
+Triangle triangleAt(const Numbers<9>& x) {
     return {vectorAt(x, 0), vectorAt(x, 1), vectorAt(x, 2)};
 }
 Numbers<9> numbersOf(const Triangle& t) {
@@ -59,8 +57,9 @@ TEST(Bounds, SidePlanes) {
                      const int column = (int) (place * (float) kTiles);
                      const glm::vec3 point(x, 0.0f, w);
                      ViewTriangle setup;
-                     if (!setUpTriangle({point, point, point}, face(), setup)) return -HUGE_VAL;
-                     const bool inside = overlaps(setup, face(), column, kTiles / 2);
+                     if (!setUpTriangle({point, point, point}, finestFace(), setup))
+                         return -HUGE_VAL;
+                     const bool inside = overlaps(setup, finestFace(), column, kTiles / 2);
                      const double low = x / (double) w - lowBorder(column);
                      const double high = highBorder(column) - x / (double) w;
                      return scoreOf(inside, std::min(low, high) / (3 * u));
@@ -87,10 +86,10 @@ TEST(Bounds, EdgePlanes) {
         },
         [](const Numbers<9>& in) {
             ViewTriangle setup;
-            const Triangle triangle = triangleOf(in);
-            if (!setUpTriangle(triangle, face(), setup) || setup.edgeOn()) return -HUGE_VAL;
-            const bool inside = !edgesSeparate(setup, face(), kAt, kAt);
-            const ExactTriangle exact(triangle, face());
+            const Triangle triangle = triangleAt(in);
+            if (!setUpTriangle(triangle, finestFace(), setup) || setup.edgeOn()) return -HUGE_VAL;
+            const bool inside = !edgesSeparate(setup, finestFace(), kAt, kAt);
+            const ExactTriangle exact(triangle, finestFace());
             double least = HUGE_VAL;
             for (const IntegerVector& n : exact.edges) {
                 const int side = sign(exact.volume);
@@ -133,9 +132,9 @@ TEST(Bounds, Orientation) {
         },
         [](const Numbers<9>& in) {
             ViewTriangle setup;
-            const Triangle triangle = triangleOf(in);
-            if (!setUpTriangle(triangle, face(), setup)) return -HUGE_VAL;
-            const ExactTriangle exact(triangle, face());
+            const Triangle triangle = triangleAt(in);
+            if (!setUpTriangle(triangle, finestFace(), setup)) return -HUGE_VAL;
+            const ExactTriangle exact(triangle, finestFace());
             if (exact.volume == 0) return setup.edgeOn() ? 0.0 : 2.0;
             const int unit = std::min(3 * exact.exponent, lowestExponent(setup.determinant));
             const Integer value = exact.volume << (3 * exact.exponent - unit);
@@ -156,7 +155,7 @@ double edgeAtCorner(const ViewTriangle& triangle, size_t k, float s, float t) {
 /// The depth at which a corner ray meets the triangle, before it is rounded: the orientation is
 /// good for 2.5 * 2^-27, each of three edges for 2 * 2^-27.
 TEST(Bounds, DepthsAtCorners) {
-    static const float s = face().sHi[6000], t = face().tLo[5000];
+    static const float s = finestFace().sHi[6000], t = finestFace().tLo[5000];
     expectHeld(Bound<9>{
         "depth at a corner of a tile: 4.5 * 2^-27",
         0.48,
@@ -165,9 +164,9 @@ TEST(Bounds, DepthsAtCorners) {
         [](Random& random) { return smallTriangle(random, s, t); },
         [](const Numbers<9>& in) {
             ViewTriangle setup;
-            const Triangle triangle = triangleOf(in);
-            if (!setUpTriangle(triangle, face(), setup) || setup.edgeOn()) return -HUGE_VAL;
-            const ExactTriangle exact(triangle, face());
+            const Triangle triangle = triangleAt(in);
+            if (!setUpTriangle(triangle, finestFace(), setup) || setup.edgeOn()) return -HUGE_VAL;
+            const ExactTriangle exact(triangle, finestFace());
             const IntegerVector corner = toIntegers({s, t, 1.0f}, -30);
             double sum = 0.0;
             Integer exactSum = 0;

@@ -16,8 +16,6 @@
 namespace dirt::test {
 namespace {
 
-constexpr double u = 0x1p-24, v = 0x1p-53; // a rounding to float, to double
-
 /// |f - exact| / |exact|.
 double relativeError(double f, const Fraction& exact) {
     const int unit = std::min(f == 0.0 ? exact.exponent : lowestExponent(f), exact.exponent);

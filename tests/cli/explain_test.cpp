@@ -12,19 +12,17 @@
 namespace dirt::test {
 namespace {
 
-using Json = nlohmann::json;
-
 class Explain : public testing::Test {
 protected:
     Outcome explain(std::vector<std::string> options) {
         options.insert(options.begin(), {"explain", scene_, "--size", "32x32", "--quiet"});
         return dirt(options);
     }
-    Json json(std::vector<std::string> options) {
+    nlohmann::json json(std::vector<std::string> options) {
         options.push_back("--json");
         const Outcome run = explain(options);
         EXPECT_EQ(run.status, 0) << run.err;
-        return Json::parse(run.out);
+        return nlohmann::json::parse(run.out);
     }
     /// The one line of an error.
     std::string error(const std::vector<std::string>& options) {
@@ -49,9 +47,9 @@ TEST_F(Explain, TellsThePathOfAPixel) {
 }
 
 TEST_F(Explain, SaysTheSameAsJson) {
-    const Json all = json({"--pixel", "16,16", "--bounces", "2"});
+    const nlohmann::json all = json({"--pixel", "16,16", "--bounces", "2"});
     ASSERT_EQ(all["events"].size(), 2u);
-    const Json& first = all["events"][0];
+    const nlohmann::json& first = all["events"][0];
     EXPECT_EQ(first["point"]["primitive"], 0);
     EXPECT_EQ(first["rasterized"], true);
     EXPECT_EQ(first["lit"], true);
@@ -61,12 +59,12 @@ TEST_F(Explain, SaysTheSameAsJson) {
     EXPECT_EQ(first["rays"][1]["kind"], "shadow");
     EXPECT_EQ(first["rays"][1]["blocked"], false);
     // The second event leaves for the background.
-    EXPECT_EQ(all["events"][1]["point"], Json());
+    EXPECT_EQ(all["events"][1]["point"], nlohmann::json());
     EXPECT_EQ(all["events"][1]["rays"][0]["kind"], "indirect");
     EXPECT_EQ(all["events"][1]["rays"][0]["skip"], 0);
     for (int c = 0; c < 3; ++c) {
         double sum = 0.0;
-        for (const Json& event : all["events"]) sum += event["added"][c].get<double>();
+        for (const nlohmann::json& event : all["events"]) sum += event["added"][c].get<double>();
         EXPECT_NEAR(sum, all["radiance"][c].get<double>(), 1e-6);
     }
     EXPECT_EQ(json({"--pixel", "16,16", "--bounces", "2", "--event", "1"})["events"].size(), 1u);
@@ -76,19 +74,19 @@ TEST_F(Explain, SaysTheSameAsJson) {
 }
 
 TEST_F(Explain, ListsATileAndAPrimitive) {
-    const Json ofPrimitive = json({"--primitive", "0", "--tile", "8", "--bins", "4"});
+    const nlohmann::json ofPrimitive = json({"--primitive", "0", "--tile", "8", "--bins", "4"});
     ASSERT_FALSE(ofPrimitive["entries"].empty());
-    for (const Json& entry : ofPrimitive["entries"]) {
+    for (const nlohmann::json& entry : ofPrimitive["entries"]) {
         EXPECT_EQ(entry["right"], true);
         ASSERT_GE(entry["polygon"].size(), 3u);
-        for (const Json& corner : entry["polygon"]) {
+        for (const nlohmann::json& corner : entry["polygon"]) {
             EXPECT_GE(corner[2], entry["depths"][0]);
             EXPECT_LE(corner[2], entry["depths"][1]);
         }
         const std::string at = std::to_string(entry["view"].get<int>()) + "," +
                                std::to_string(entry["tile"][0].get<int>()) + "," +
                                std::to_string(entry["tile"][1].get<int>());
-        const Json ofTile = json({"--tile", "8", "--tile", at, "--bins", "4"});
+        const nlohmann::json ofTile = json({"--tile", "8", "--tile", at, "--bins", "4"});
         ASSERT_EQ(ofTile["entries"].size(), 1u) << at;
         EXPECT_EQ(ofTile["entries"][0], entry);
     }
@@ -131,21 +129,21 @@ TEST_F(Explain, DrawsTheRays) {
 
 TEST_F(Explain, TellsOfARay) {
     // The camera's ray, which hits the triangle 2 units away; the grid frame's scale is 1/2.
-    const Json hit = json({"--ray", "0,0,0,0,0,-1"});
+    const nlohmann::json hit = json({"--ray", "0,0,0,0,0,-1"});
     EXPECT_EQ(hit["traced_hit"]["primitive"], 0);
-    EXPECT_EQ(hit["exact"]["primitives"], Json({0}));
+    EXPECT_EQ(hit["exact"]["primitives"], nlohmann::json({0}));
     EXPECT_EQ(hit["exact"]["t"], hit["traced_hit"]["t"]);
     EXPECT_EQ(hit["ray"]["hit"]["primitive"], 0);
     EXPECT_FALSE(hit["ray"]["views"].empty());
-    EXPECT_EQ(hit["disagreements"], Json::array());
+    EXPECT_EQ(hit["disagreements"], nlohmann::json::array());
     const double t = hit["exact"]["t"].get<double>();
     EXPECT_EQ(json({"--ray", "0,0,0,0,0,-1", "--max-t", std::to_string(t * 1.01)})["blocked"],
               true);
     EXPECT_EQ(json({"--ray", "0,0,0,0,0,-1", "--max-t", std::to_string(t * 0.99)})["blocked"],
               false);
-    const Json skipped = json({"--ray", "0,0,0,0,0,-1", "--skip", "0"});
-    EXPECT_EQ(skipped["traced_hit"], Json());
-    EXPECT_EQ(skipped["exact"]["t"], Json());
+    const nlohmann::json skipped = json({"--ray", "0,0,0,0,0,-1", "--skip", "0"});
+    EXPECT_EQ(skipped["traced_hit"], nlohmann::json());
+    EXPECT_EQ(skipped["exact"]["t"], nlohmann::json());
     const Outcome text = explain({"--ray=-0.5,0,0,0,0,-1"});
     EXPECT_EQ(text.status, 0) << text.err;
     for (const char* said : {"a ray of a, cpu\n", "  asked ray, grid frame: from (-0.5, 0, 0)",
@@ -205,7 +203,7 @@ TEST(ExplainText, NamesWhatIsDifferent) {
 #ifdef DIRT_HAVE_EMBREE
 /// Embree has no grid: its rays and hits are told, without a way.
 TEST_F(Explain, ToldOfEmbreeToo) {
-    const Json all = json({"--pixel", "16,16", "--backend", "embree"});
+    const nlohmann::json all = json({"--pixel", "16,16", "--backend", "embree"});
     EXPECT_EQ(all["events"][0]["traced_hit"]["primitive"], 0);
     EXPECT_FALSE(all["events"][0]["rays"][0].contains("views"));
     EXPECT_NE(error({"--primitive", "0", "--backend", "embree"}).find("has no lists"),

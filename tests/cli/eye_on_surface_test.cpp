@@ -45,8 +45,9 @@ TEST_P(EyeOnSurface, EveryBackendShowsTheSame) {
     EXPECT_EQ(render(model, "cpu", "traced")->pixels, expected.pixels);
     for (const char* backend : {"gl", "embree"})
         for (const char* primary : {"raster", "traced"})
-            if (const auto image = render(model, backend, primary))
+            if (const auto image = render(model, backend, primary)) {
                 EXPECT_EQ(image->pixels, expected.pixels) << backend << " " << primary;
+            }
     for (const char* backends : {"cpu,gl", "cpu,embree"})
         for (const char* primary : {"raster", "traced"}) {
             std::vector<std::string> arguments = at(model);

@@ -59,7 +59,8 @@ protected:
         }
         for (const char* backends : {"cpu,gl", "cpu,embree"}) {
             const Outcome checked = run("check", {"--backends", backends, "--size", "16x12"});
-            if (checked.status != 3) EXPECT_EQ(checked.status, 0) << backends << checked.err;
+            if (checked.status == 3) continue;
+            EXPECT_EQ(checked.status, 0) << backends << checked.err;
         }
         return said;
     }

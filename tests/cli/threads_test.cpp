@@ -54,8 +54,9 @@ protected:
             EXPECT_TRUE(readFile(file) == whole);
             EXPECT_LE(lines, 2) << run.err; // the picture's name, and at most one warning
             const bool few = run.err.find(" threads cannot be made") != std::string::npos;
-            if (threads < 3)
+            if (threads < 3) {
                 EXPECT_EQ(few, run.err.find("warning") != std::string::npos) << run.err;
+            }
         }
         EXPECT_GT(done, 0);
     }

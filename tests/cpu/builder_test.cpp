@@ -35,7 +35,7 @@ void expectSameGrid(const Grid& a, const Grid& b, const std::string& what = {}) 
     ASSERT_EQ(a.atEye, b.atEye) << what;
 }
 
-std::string describe(const GridSettings& s) {
+std::string settingsText(const GridSettings& s) {
     return std::string(s.mode == ViewMode::full ? "full" : "single") + ", view " +
            std::to_string(s.viewSize) + ", image " + std::to_string(s.width) + "x" +
            std::to_string(s.height) + ", tile " + std::to_string(s.tile) + ", bins " +
@@ -104,7 +104,7 @@ TEST(GridBuilder, EqualsTheDefinitionOnNastyTriangles) {
         camera.verticalFov = random.pick({1e-5f, 0.1f, 1.0f, 53.0f, 90.0f, 150.0f, 179.0f});
         const ViewSet set(randomSettings(random), camera);
         const FrameGeometry geometry = nastyGeometry(random, set, 300);
-        expectEqualToDefinition(geometry, set.camera, set.settings, describe(set.settings));
+        expectEqualToDefinition(geometry, set.camera, set.settings, settingsText(set.settings));
         if (HasFatalFailure()) return;
     }
 }
@@ -117,7 +117,7 @@ TEST(GridBuilder, EqualsTheDefinitionOnEdgesThroughCorners) {
         for (int i = 0; i < 500; ++i)
             geometry.triangles.push_back(
                 throughCorner(random, set.views[(size_t) random.below(6)]).triangle);
-        expectEqualToDefinition(geometry, set.camera, set.settings, describe(set.settings));
+        expectEqualToDefinition(geometry, set.camera, set.settings, settingsText(set.settings));
         if (HasFatalFailure()) return;
     }
 }
@@ -127,7 +127,7 @@ TEST(GridBuilder, EqualsTheDefinitionOverManyPieces) {
     for (const int tile : {4, 16, 64}) {
         const ViewSet set = fullViews(130, tile);
         const FrameGeometry geometry = nastyGeometry(random, set, 2500);
-        expectEqualToDefinition(geometry, set.camera, set.settings, describe(set.settings));
+        expectEqualToDefinition(geometry, set.camera, set.settings, settingsText(set.settings));
     }
 }
 
@@ -149,7 +149,7 @@ TEST(GridBuilder, EqualsTheDefinitionAtTheFinestTiles) {
             };
             geometry.triangles.push_back({corner(), corner(), corner()});
         }
-        expectEqualToDefinition(geometry, set.camera, set.settings, describe(set.settings));
+        expectEqualToDefinition(geometry, set.camera, set.settings, settingsText(set.settings));
     }
 }
 
@@ -164,7 +164,7 @@ TEST(GridBuilder, EqualsTheDefinitionOnARealScene) {
         GridSettings settings;
         settings.mode = mode;
         const FrameGeometry geometry = makeFrameGeometry(scene.mesh, camera, mode);
-        expectEqualToDefinition(geometry, camera, settings, describe(settings));
+        expectEqualToDefinition(geometry, camera, settings, settingsText(settings));
     }
 }
 

@@ -100,7 +100,9 @@ TEST_P(ShadowRays, AreThoseOfTheDefinitionWithTheirNearestBlocker) {
             EXPECT_EQ(record.occluded == 1, between) << "pixel " << pixel;
             EXPECT_EQ(record.blocker, between ? nearest.primitive : kNoPrimitive);
             EXPECT_EQ(record.t, between ? nearest.t : 0.0f);
-            if (between) EXPECT_TRUE(lists(cpu_.grid(), record)) << "pixel " << pixel;
+            if (between) {
+                EXPECT_TRUE(lists(cpu_.grid(), record)) << "pixel " << pixel;
+            }
             ++(between ? blocked : open);
         }
     });

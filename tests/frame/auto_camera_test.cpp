@@ -106,9 +106,9 @@ TEST(AutoCamera, StandsOutsideOfASolid) {
 /// A slab that is bare on one side, which at a slant is as deep as the other, where towers stand.
 TEST(AutoCamera, PrefersWhatIsThereToABareWall) {
     Mesh mesh;
-    addBox(mesh, {-10, -12, -0.2f}, {10, 12, 0}, false);
+    addRoom(mesh, {-10, -12, -0.2f}, {10, 12, 0}, false);
     for (int i = -8; i <= 8; i += 4)
-        addBox(mesh, {(float) i - 1, (float) i - 3, 0}, {(float) i + 1, (float) i + 3, 8}, false);
+        addRoom(mesh, {(float) i - 1, (float) i - 3, 0}, {(float) i + 1, (float) i + 3, 8}, false);
     const Camera camera = choose(mesh).camera;
     EXPECT_GT(camera.eye.z, 0.0f);
     EXPECT_TRUE(showsSomething(mesh, camera));
@@ -181,7 +181,7 @@ TEST(AutoCamera, ShowsWhatHasItsFrontElsewhereFromThere) {
     EXPECT_LT(glm::length(sideOf(bowl()) - std::sqrt(0.5f) * glm::vec3(0, 1, 1)), 1e-5f);
     // A long thing that points at the viewer, from its side.
     Mesh rod;
-    addBox(rod, {-0.1f, -0.1f, -2}, {0.1f, 0.1f, 2}, false);
+    addRoom(rod, {-0.1f, -0.1f, -2}, {0.1f, 0.1f, 2}, false);
     EXPECT_LT(std::abs(sideOf(rod).z), 0.75f);
     Mesh twoSided;
     addTwoSidedBox(twoSided, {-0.1f, -0.1f, -2}, {0.1f, 0.1f, 2});
@@ -192,7 +192,7 @@ TEST(AutoCamera, ShowsWhatHasItsFrontElsewhereFromThere) {
 TEST(AutoCamera, ShowsTheTop) {
     for (const float height : {0.5f, 1.0f, 4.0f}) {
         Mesh mesh;
-        addBox(mesh, {-0.5f, 0, -0.5f}, {0.5f, height, 0.5f}, false);
+        addRoom(mesh, {-0.5f, 0, -0.5f}, {0.5f, height, 0.5f}, false);
         const Camera camera = choose(mesh).camera;
         EXPECT_GT(camera.eye.y, height);
         EXPECT_EQ(camera.verticalFov, 30.0f);

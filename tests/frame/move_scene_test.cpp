@@ -19,7 +19,7 @@ namespace {
 std::atomic<size_t> allocations{0};
 } // namespace
 
-void* operator new(size_t bytes) {
+[[gnu::noinline]] void* operator new(size_t bytes) {
     ++allocations;
     if (void* memory = std::malloc(bytes)) return memory;
     throw std::bad_alloc();

@@ -72,7 +72,7 @@ std::string violation(const TileCase& c) {
     return "";
 }
 
-std::string describe(const TileCase& c) {
+std::string caseText(const TileCase& c) {
     return describe(*c.set) + " view " + std::to_string(c.view - c.set->views.data()) + " tile (" +
            std::to_string(c.column) + ", " + std::to_string(c.row) + ") " + hex(c.triangle) + " (" +
            c.kind + ")";
@@ -91,7 +91,7 @@ TEST(Coverage, ListsExactlyWhatTheGuardBandsAskFor) {
         met += Listed(c).listed();
         if (wrong.empty()) continue;
         int& count = failures[wrong.substr(0, 8) + " (" + c.kind + ")"];
-        if (++count <= 2) ADD_FAILURE() << wrong << "\n" << describe(c);
+        if (++count <= 2) ADD_FAILURE() << wrong << "\n" << caseText(c);
     }
     for (const auto& [what, count] : failures) ADD_FAILURE() << count << " times " << what;
     // The cases are near the decision: neither almost all nor almost none are listed.
@@ -119,8 +119,8 @@ TEST(Coverage, DepthsHoldThoseOfTheGuardBandedTile) {
                                               ExactCone(banded, 0, 0, {0.0, 0.0}, 0.0));
         if (!exact.meets) continue;
         ++listed;
-        ASSERT_LE(compare(depths.near, exact.near), 0) << hex(depths.near) << "\n" << describe(c);
-        ASSERT_GE(compare(depths.far, exact.far), 0) << hex(depths.far) << "\n" << describe(c);
+        ASSERT_LE(compare(depths.near, exact.near), 0) << hex(depths.near) << "\n" << caseText(c);
+        ASSERT_GE(compare(depths.far, exact.far), 0) << hex(depths.far) << "\n" << caseText(c);
     }
     EXPECT_GT(listed, 2'000);
 }
@@ -181,7 +181,7 @@ TEST(Coverage, DecidesEdgesThroughCornersExactly) {
             const CornerTriangle corner = throughCorner(random, view);
             const TileCase c{&set,          &view,      corner.triangle,
                              corner.column, corner.row, "through a corner"};
-            ASSERT_EQ(violation(c), "") << describe(c);
+            ASSERT_EQ(violation(c), "") << caseText(c);
         }
     }
 }

@@ -15,9 +15,6 @@ namespace {
 using Bytes = std::vector<uint8_t>;
 using Names = std::vector<std::string>;
 
-constexpr auto kDemo = MaterialConvention::demo;
-constexpr auto kWavefront = MaterialConvention::wavefront;
-
 class MtlTextures : public testing::Test {
 protected:
     /// A PNG file of one row.
@@ -25,7 +22,8 @@ protected:
         test::writeImage(folder_ / name, (int) texels.size() / channels, 1, channels, texels);
     }
 
-    const Material& load(const std::string& lines, MaterialConvention convention = kWavefront) {
+    const Material& load(const std::string& lines,
+                         MaterialConvention convention = MaterialConvention::wavefront) {
         folder_.write("a.mtl", "newmtl m\n" + lines);
         LoadOptions options;
         options.materials = convention;
@@ -97,7 +95,7 @@ TEST_F(MtlTextures, ImagesThatAreNotReadAreReplaced) {
     const std::string tile = std::string("\0\0\0\0\0\017\0\017", 8) + std::string(1016, '\377');
     folder_.write("iff.png", chunk("FOR4", "CIMG" + chunk("TBHD", header) +
                                                chunk("FOR4", "TBMP" + chunk("RGBA", tile))));
-    for (const auto convention : {kWavefront, kDemo}) {
+    for (const auto convention : {MaterialConvention::wavefront, MaterialConvention::demo}) {
         const Material plain = load("Kd 1 0 0\nmap_Kd iff.png\n", convention);
         EXPECT_EQ(plain.diffuseMap, kNoTexture);
         EXPECT_EQ(plain.diffuse, Material().diffuse);
@@ -124,15 +122,17 @@ TEST_F(MtlTextures, EmissionIsTheTextureInWavefront) {
     EXPECT_EQ(load("Ke 0 0 0\nmap_Ke half.png\n").emission, glm::vec3(1));
     EXPECT_EQ(load("Ke 1 5 2\nmap_Ke half.png\n").emission, glm::vec3(5));
     EXPECT_EQ(load("Ke 1 5 2\nmap_Ke none.png\n").emission, glm::vec3(0));
-    EXPECT_EQ(load("Ke 1 5 2\nmap_Ke half.png\n", kDemo).emission, glm::vec3(1, 5, 2));
-    EXPECT_EQ(load("Ke 1 5 2\nmap_Ke none.png\n", kDemo).emission, glm::vec3(1, 5, 2));
+    EXPECT_EQ(load("Ke 1 5 2\nmap_Ke half.png\n", MaterialConvention::demo).emission,
+              glm::vec3(1, 5, 2));
+    EXPECT_EQ(load("Ke 1 5 2\nmap_Ke none.png\n", MaterialConvention::demo).emission,
+              glm::vec3(1, 5, 2));
 }
 
 TEST_F(MtlTextures, DemoTexturesMultiplyAndPhysicalOnesAreNamed) {
     image("half.png", 3, {51, 255, 255});
     const Material a = load("Ks .5\nNs 127\nmap_Ks half.png\nmap_Pr half.png\nmap_Pm half.png\n"
                             "map_Ns half.png\n",
-                            kDemo);
+                            MaterialConvention::demo);
     EXPECT_EQ(a.reflectance, 0.5f);
     EXPECT_EQ(scalars(a.reflectanceMap).sample(kMiddle), 0.2f) << "the first channel";
     EXPECT_EQ(a.roughness, 0.0f);
@@ -146,7 +146,7 @@ TEST_F(MtlTextures, ChannelsAreTakenAsImfchanSays) {
         const Material a = load("Ks 1 1 1\nmap_Ks " + option + "all.png\n", convention);
         return scalars(a.reflectanceMap).sample(kMiddle);
     };
-    for (const auto convention : {kDemo, kWavefront}) {
+    for (const auto convention : {MaterialConvention::demo, MaterialConvention::wavefront}) {
         EXPECT_EQ(sampled("-imfchan r ", convention), 0.2f);
         EXPECT_EQ(sampled("-imfchan g ", convention), 0.4f);
         EXPECT_EQ(sampled("-imfchan b ", convention), 0.6f);
@@ -154,9 +154,10 @@ TEST_F(MtlTextures, ChannelsAreTakenAsImfchanSays) {
     }
     // Rec.709, of three channels that are each rounded once: within some units of 2^-24.
     const float luminance = 0.2126f * 0.2f + 0.7152f * 0.4f + 0.0722f * 0.6f;
-    EXPECT_NEAR(sampled("-imfchan l ", kDemo), luminance, 1e-6f);
-    EXPECT_NEAR(sampled("", kWavefront), luminance, 1e-6f) << "the format's default";
-    EXPECT_EQ(sampled("", kDemo), 0.2f);
+    EXPECT_NEAR(sampled("-imfchan l ", MaterialConvention::demo), luminance, 1e-6f);
+    EXPECT_NEAR(sampled("", MaterialConvention::wavefront), luminance, 1e-6f)
+        << "the format's default";
+    EXPECT_EQ(sampled("", MaterialConvention::demo), 0.2f);
     // An alpha that cuts nothing out is no opacity, but where it is asked for.
     const Material asked = load("map_d -imfchan m all.png\n");
     EXPECT_EQ(scalars(asked.opacityMap).sample(kMiddle), 0.8f);
@@ -164,7 +165,7 @@ TEST_F(MtlTextures, ChannelsAreTakenAsImfchanSays) {
 
 TEST_F(MtlTextures, ScalesOffsetsAndClampsAreThoseOfEachStatement) {
     image("two.png", 3, {255, 0, 0, 0, 0, 255});
-    for (const auto convention : {kDemo, kWavefront}) {
+    for (const auto convention : {MaterialConvention::demo, MaterialConvention::wavefront}) {
         const Material a = load("map_Kd -s 2 3 1 -o 0.25 0.5 two.png\nmap_Ks -clamp on two.png\n"
                                 "map_d two.png\n",
                                 convention);
@@ -198,7 +199,7 @@ TEST_F(MtlTextures, NormalMapsAreOfNormAndOfBumpsThatAreNormals) {
     image("normals.png", 3, {128, 128, 255, 190, 128, 237});
     image("heights.png", 3, {128, 128, 128, 200, 200, 200});
     image("wood.png", 3, {150, 110, 70, 120, 80, 50});
-    for (const auto convention : {kDemo, kWavefront})
+    for (const auto convention : {MaterialConvention::demo, MaterialConvention::wavefront})
         for (const char* key : {"norm", "map_Kn"}) {
             const Material a = load(key + std::string(" -bm 0.5 normals.png\n"), convention);
             EXPECT_EQ(texture(a.normalMap).sample({0.25f, 0.5f}).z, 1.0f);
@@ -216,7 +217,7 @@ TEST_F(MtlTextures, NormalMapsAreOfNormAndOfBumpsThatAreNormals) {
         EXPECT_NE(heights.bumpMap, kNoTexture) << image;
         EXPECT_EQ(heights.bumpScale, 2.0f);
     }
-    const Material demo = load("map_bump normals.png\n", kDemo);
+    const Material demo = load("map_bump normals.png\n", MaterialConvention::demo);
     EXPECT_NE(demo.bumpMap, kNoTexture) << "as ever";
     EXPECT_EQ(demo.normalMap, kNoTexture);
     load("norm normals.png\nmap_bump heights.png\n");
@@ -231,7 +232,7 @@ TEST_F(MtlTextures, WavefrontLooksForTheNameAloneToo) {
         EXPECT_NE(load(std::string("map_Kd ") + path + "\n").diffuseMap, kNoTexture) << path;
         EXPECT_TRUE(loaded_.warnings.empty());
     }
-    EXPECT_EQ(load("map_Kd C:\\maps\\wood.png\n", kDemo).diffuseMap, kNoTexture);
+    EXPECT_EQ(load("map_Kd C:\\maps\\wood.png\n", MaterialConvention::demo).diffuseMap, kNoTexture);
     EXPECT_EQ(loaded_.warnings.size(), 1u);
 }
 

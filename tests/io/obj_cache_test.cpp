@@ -6,6 +6,7 @@
 #include "core/io/load.h"
 #include "core/io/text_file.h"
 #include "tests/io/input_error.h"
+#include "tests/io/same_bits.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
 
@@ -23,20 +24,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <typename Value>
-bool sameBits(const std::vector<Value>& a, const std::vector<Value>& b) {
-    return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
-}
-
 /// All but the textures' texels, which no cache has.
 void expectSame(const LoadedScene& a, const LoadedScene& b) {
     const Mesh &m = a.scene.mesh, &n = b.scene.mesh;
-    EXPECT_TRUE(sameBits(m.positions, n.positions) && sameBits(m.normals, n.normals) &&
-                sameBits(m.texcoords, n.texcoords) && sameBits(m.colors, n.colors) &&
-                sameBits(m.triangles, n.triangles) && sameBits(m.normalIndices, n.normalIndices) &&
-                sameBits(m.texcoordIndices, n.texcoordIndices) &&
-                sameBits(m.materials, n.materials));
+    EXPECT_TRUE(test::sameBits(m.positions, n.positions) && test::sameBits(m.normals, n.normals) &&
+                test::sameBits(m.texcoords, n.texcoords) && test::sameBits(m.colors, n.colors) &&
+                test::sameBits(m.triangles, n.triangles) &&
+                test::sameBits(m.normalIndices, n.normalIndices) &&
+                test::sameBits(m.texcoordIndices, n.texcoordIndices) &&
+                test::sameBits(m.materials, n.materials));
     ASSERT_EQ(a.scene.materials.size(), b.scene.materials.size());
     for (size_t i = 0; i < a.scene.materials.size(); ++i) {
         EXPECT_EQ(a.scene.materials[i].name, b.scene.materials[i].name);
@@ -242,7 +238,7 @@ TEST_F(ObjCache, FollowsItsFiles) {
     folder_.write("a.obj", text);
     fs::last_write_time(obj_, time);
     const LoadedScene changed = loadScene(obj_);
-    EXPECT_FALSE(sameBits(changed.scene.mesh.positions, plain_.scene.mesh.positions));
+    EXPECT_FALSE(test::sameBits(changed.scene.mesh.positions, plain_.scene.mesh.positions));
     expectSame(cached(), changed);
     // Material files are read each time.
     folder_.write("a.mtl", "newmtl m0\nKd 0 1 0\n");
@@ -288,7 +284,7 @@ TEST_F(ObjCache, ReadOnlyFoldersAreNoTrouble) {
     if (child == 0) {
         if (geteuid() == 0 && (setgid(65534) != 0 || setuid(65534) != 0)) _exit(3);
         const LoadedScene loaded = cached();
-        const bool same = sameBits(loaded.scene.mesh.positions, plain_.scene.mesh.positions);
+        const bool same = test::sameBits(loaded.scene.mesh.positions, plain_.scene.mesh.positions);
         _exit(same && !fs::exists(beside_) ? 0 : 1);
     }
     int status = -1;
@@ -313,7 +309,8 @@ TEST_F(ObjCache, TwoProcessesAtOnceDoNoHarm) {
             bool same = true;
             for (int k = 0; k < 3; ++k) {
                 const LoadedScene loaded = cached();
-                same = same && sameBits(loaded.scene.mesh.positions, plain_.scene.mesh.positions) &&
+                same = same &&
+                       test::sameBits(loaded.scene.mesh.positions, plain_.scene.mesh.positions) &&
                        loaded.ignored == plain_.ignored;
                 if (k == 1 && i == 0) fs::resize_file(beside_, 999); // and damage for the others
             }

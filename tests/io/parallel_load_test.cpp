@@ -3,6 +3,7 @@
 #include "backend_cpu/thread_pool.h"
 #include "core/io/load.h"
 #include "tests/io/input_error.h"
+#include "tests/io/same_bits.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/write_image.h"
 
@@ -43,12 +44,6 @@ protected:
     std::string scene_;
 };
 
-template <typename Value>
-bool sameBits(const std::vector<Value>& a, const std::vector<Value>& b) {
-    return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0);
-}
-
 TEST_F(ParallelLoad, GivesTheSameScene) {
     const LoadedScene one = loadScene(scene_);
     EXPECT_EQ(one.scene.textures.size(), 5u);
@@ -70,8 +65,9 @@ TEST_F(ParallelLoad, GivesTheSameScene) {
         EXPECT_EQ(calls, (size_t) kObjects + 5) << "models, then images, each once";
         EXPECT_EQ(last, 5u);
         const Mesh &m = one.scene.mesh, &n = many.scene.mesh;
-        ASSERT_TRUE(sameBits(m.positions, n.positions) && sameBits(m.triangles, n.triangles) &&
-                    sameBits(m.materials, n.materials) && sameBits(m.texcoords, n.texcoords));
+        ASSERT_TRUE(
+            test::sameBits(m.positions, n.positions) && test::sameBits(m.triangles, n.triangles) &&
+            test::sameBits(m.materials, n.materials) && test::sameBits(m.texcoords, n.texcoords));
         ASSERT_EQ(one.scene.materials.size(), many.scene.materials.size());
         for (size_t i = 0; i < one.scene.materials.size(); ++i) {
             const Material &a = one.scene.materials[i], &b = many.scene.materials[i];

@@ -22,8 +22,8 @@ namespace {
 using test::TexelType;
 
 /// Writes an image of one row from float values, converted to the given type.
-std::filesystem::path writeImage(const std::filesystem::path& file, int channels, TexelType type,
-                                 const std::vector<float>& values) {
+std::filesystem::path writeTexels(const std::filesystem::path& file, int channels, TexelType type,
+                                  const std::vector<float>& values) {
     return test::writeImage(file, (int) values.size() / channels, 1, channels, type, values);
 }
 
@@ -32,7 +32,7 @@ constexpr auto kByte = TexelType::uint8;
 TEST(TextureFile, ReadsColour) {
     const test::TemporaryFolder folder;
     const Texture t = readTexture(DecodedImage(
-        writeImage(folder.path() / "a.png", 3, kByte, {1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f})));
+        writeTexels(folder.path() / "a.png", 3, kByte, {1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f})));
     EXPECT_EQ(t.width(), 2);
     EXPECT_EQ(t.height(), 1);
     EXPECT_EQ(t.bytes(), 6u);
@@ -44,10 +44,10 @@ TEST(TextureFile, ReadsColour) {
 TEST(TextureFile, MakesGreyOfOneChannel) {
     const test::TemporaryFolder folder;
     const Texture t =
-        readTexture(DecodedImage(writeImage(folder.path() / "a.png", 1, kByte, {1.0f})));
+        readTexture(DecodedImage(writeTexels(folder.path() / "a.png", 1, kByte, {1.0f})));
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(1));
     const Texture alpha =
-        readTexture(DecodedImage(writeImage(folder.path() / "b.png", 2, kByte, {1.0f, 0.0f})));
+        readTexture(DecodedImage(writeTexels(folder.path() / "b.png", 2, kByte, {1.0f, 0.0f})));
     EXPECT_EQ(alpha.sample({0, 0}), glm::vec3(1));
 }
 
@@ -59,7 +59,7 @@ TEST(TextureFile, ReadsSeveralThingsOfOneImage) {
             std::vector<float> values;
             for (int i = 0; i < 6 * channels; ++i) values.push_back((float) (i % 7) / 6.0f);
             const char* name = type == TexelType::float32 ? "a.tif" : "a.png";
-            const auto file = writeImage(folder.path() / name, channels, type, values);
+            const auto file = writeTexels(folder.path() / name, channels, type, values);
             const DecodedImage image{file};
             const auto alpha = readAlpha(image);
             const Texture colour = readTexture(image);
@@ -81,7 +81,7 @@ TEST(TextureFile, ReadsSeveralThingsOfOneImage) {
 TEST(TextureFile, DoesNotMultiplyByAlpha) {
     const test::TemporaryFolder folder;
     const Texture t = readTexture(
-        DecodedImage(writeImage(folder.path() / "a.png", 4, kByte, {1.0f, 1.0f, 0.0f, 0.0f})));
+        DecodedImage(writeTexels(folder.path() / "a.png", 4, kByte, {1.0f, 1.0f, 0.0f, 0.0f})));
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(1, 1, 0));
 }
 
@@ -91,7 +91,7 @@ TEST(TextureFile, ReadsDeepIntegersAsSrgbToo) {
     const test::TemporaryFolder folder;
     for (const char* name : {"a.png", "a.tif"}) {
         const Texture t = readTexture(DecodedImage(
-            writeImage(folder.path() / name, 3, TexelType::uint16, {0.001f, 0.5f, 1.0f})));
+            writeTexels(folder.path() / name, 3, TexelType::uint16, {0.001f, 0.5f, 1.0f})));
         const glm::vec3 colour = t.sample({0, 0});
         EXPECT_NEAR(colour.x, 66.0 / 65535.0 / 12.92, 1e-11); // 7.79e-5; 0.001 is between two steps
         EXPECT_NEAR(colour.y, 0.21404, 2e-5);
@@ -102,7 +102,7 @@ TEST(TextureFile, ReadsDeepIntegersAsSrgbToo) {
 TEST(TextureFile, ReadsFloatsAsTheyAre) {
     const test::TemporaryFolder folder;
     const Texture t = readTexture(DecodedImage(
-        writeImage(folder.path() / "a.exr", 3, TexelType::half, {0.5f, 0.25f, 100.0f})));
+        writeTexels(folder.path() / "a.exr", 3, TexelType::half, {0.5f, 0.25f, 100.0f})));
     EXPECT_EQ(t.bytes(), 12u);
     EXPECT_EQ(t.sample({0, 0}), glm::vec3(0.5f, 0.25f, 100.0f));
 }
@@ -110,8 +110,8 @@ TEST(TextureFile, ReadsFloatsAsTheyAre) {
 TEST(TextureFile, TakesFloatsThatAreNoColourForOthers) {
     const test::TemporaryFolder folder;
     const float inf = std::numeric_limits<float>::infinity();
-    const DecodedImage image(writeImage(folder.path() / "a.exr", 3, TexelType::float32,
-                                        {-1.0f, std::nanf(""), inf, 1e30f, 5.0f, -inf}));
+    const DecodedImage image(writeTexels(folder.path() / "a.exr", 3, TexelType::float32,
+                                         {-1.0f, std::nanf(""), inf, 1e30f, 5.0f, -inf}));
     const Texture colour = readTexture(image);
     EXPECT_EQ(image.takeFault(),
               "5 numbers are not from 0 to 7.92282e+28: the nearest is taken, for a NaN 0");
@@ -145,7 +145,7 @@ TEST(TextureFile, RefusesWhatIsNoImage) {
 
 TEST(TextureFile, TakesPngsUnderAnyName) {
     const test::TemporaryFolder folder;
-    const auto png = writeImage(folder.path() / "a.png", 3, kByte, {1.0f, 0.0f, 1.0f});
+    const auto png = writeTexels(folder.path() / "a.png", 3, kByte, {1.0f, 0.0f, 1.0f});
     EXPECT_EQ(readTexture(DecodedImage(folder.write("b.jpg", test::readFile(png)))).sample({0, 0}),
               glm::vec3(1, 0, 1));
 }
@@ -153,7 +153,7 @@ TEST(TextureFile, TakesPngsUnderAnyName) {
 TEST(TextureFile, NamesWhatIsWrongWithAPng) {
     const test::TemporaryFolder folder;
     const std::string bytes = test::readFile(
-        writeImage(folder.path() / "a.png", 3, kByte, std::vector<float>(300, 0.5f)));
+        writeTexels(folder.path() / "a.png", 3, kByte, std::vector<float>(300, 0.5f)));
     const auto errorOf = [&](const std::string& content) {
         const std::string file = folder.write("b.png", content);
         const std::string what = inputError([&] { readTexture(DecodedImage(file)); });
@@ -176,7 +176,7 @@ TEST(TextureFile, NamesWhatIsWrongWithAPng) {
 /// Texels that a PNG's sound chunks do not hold are missed by libpng, which prints nothing.
 TEST(TextureFile, SaysNothingBesidesItsError) {
     const test::TemporaryFolder folder;
-    const auto file = writeImage(folder.path() / "a.png", 3, kByte, std::vector<float>(30, 0.5f));
+    const auto file = writeTexels(folder.path() / "a.png", 3, kByte, std::vector<float>(30, 0.5f));
     std::string bytes = test::readFile(file);
     const size_t data = bytes.find("IDAT"), end = bytes.find("IEND") - 4;
     bytes.erase(data - 4, end - (data - 4)); // no texels at all
@@ -230,7 +230,7 @@ TEST_P(DamagedTexture, EndsInOneLine) {
     std::vector<float> noise(3 * 4096);
     for (size_t i = 0; i < noise.size(); ++i) noise[i] = (float) (i * 7919 % 256) / 255.0f;
     const std::string bytes =
-        test::readFile(writeImage(folder.path() / ("whole." + extension), 3, kByte, noise));
+        test::readFile(writeTexels(folder.path() / ("whole." + extension), 3, kByte, noise));
     test::Random random(1);
     int refused = 0;
     for (int i = 0; i < test::cases(60, 2000); ++i) {
@@ -260,7 +260,7 @@ TEST(TextureFile, TellsNormalsFromHeights) {
     const test::TemporaryFolder folder;
     const auto isNormals = [&](int channels, TexelType type, const std::vector<float>& values) {
         const char* name = type == kByte ? "a.png" : "a.exr";
-        return isNormalMap(DecodedImage(writeImage(folder.path() / name, channels, type, values)));
+        return isNormalMap(DecodedImage(writeTexels(folder.path() / name, channels, type, values)));
     };
     const std::vector<float> flat{0.5f, 0.5f, 1.0f};
     const std::vector<float> tilted{0.5f, 0.5f, 1.0f, 0.85f, 0.5f, 0.857f, 0.3f, 0.2f, 0.845f};
@@ -283,7 +283,7 @@ TEST(TextureFile, KeepsTheLuminanceOfGreyInBytes) {
     const test::TemporaryFolder folder;
     const auto luminance = [&](const std::vector<float>& values) {
         return readScalarTexture(
-            DecodedImage(writeImage(folder.path() / "a.png", 3, kByte, values)),
+            DecodedImage(writeTexels(folder.path() / "a.png", 3, kByte, values)),
             ImageChannel::luminance);
     };
     const ScalarTexture grey = luminance({0.2f, 0.2f, 0.2f, 0.6f, 0.6f, 0.6f});

@@ -4,7 +4,7 @@
     tests/mutation/mutate.py [--side core|cpu|gl] [--margin NAME] [--factor 0|0.5]
 
 Every margin is set to zero and halved on each side that uses it: core, backend_cpu, and the shaders.
-The tests are those of build/release. For C++ the sources that see a margin are compiled once more,
+The tests are built in build/mutation/plain, file by file. For C++ the sources that see a margin are compiled once more,
 into build/mutation, with a header before all others that reads the margins from the environment, and
 linked before the libraries; so one build serves all. For the shaders DIRT_SHADERS names edited
 copies. Only the tests that concern a margin are run, in their short form. Prints a
@@ -22,8 +22,8 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-RELEASE = ROOT / "build" / "release"
 BUILD = ROOT / "build" / "mutation"
+PLAIN = BUILD / "plain"
 MARGINS = ROOT / "shaders" / "shared" / "margins.h"
 DECLARATION = re.compile(r"const (float|double) (k\w+) = ([^;]+);")
 
@@ -119,7 +119,7 @@ def write_header():
 
 
 def ninja(*arguments):
-    return subprocess.run(["ninja", "-C", RELEASE, *arguments], check=True, text=True,
+    return subprocess.run(["ninja", "-C", PLAIN, *arguments], check=True, text=True,
                           stdout=subprocess.PIPE).stdout
 
 
@@ -143,7 +143,7 @@ def build_cpp(jobs, programs):
                 output.startswith(("core/", "backend_cpu/")) or
                 any(output.startswith(folder) for folder in of_test)):
             continue
-        files = [os.path.normpath(RELEASE / file.strip()) for file in files]
+        files = [os.path.normpath(PLAIN / file.strip()) for file in files]
         files = [file for file in files if file.startswith(str(ROOT)) and file != str(MARGINS)]
         if any(names_margin(file) for file in files):
             objects[output] = files
@@ -157,7 +157,7 @@ def build_cpp(jobs, programs):
         command = re.sub(r"-M[DTF]+( \S+\.o(\.d)?)?", "", commands[output]["command"])
         command = command.replace(f"-o {output}", f"-include {header} -o {target}")
         subprocess.run(command + " -Wno-unused-variable -Wno-unused-function", shell=True, check=True,
-                       cwd=RELEASE)
+                       cwd=PLAIN)
 
     def link(program):
         command = ninja("-t", "commands", f"tests/{program}").strip().split("\n")[-1]
@@ -167,7 +167,7 @@ def build_cpp(jobs, programs):
         (BUILD / "tests").mkdir(exist_ok=True)
         command = command.replace(f"{own} -o tests/{program}",
                                   " ".join(map(str, inputs)) + f" -o {BUILD}/tests/{program}")
-        subprocess.run(command, shell=True, check=True, cwd=RELEASE)
+        subprocess.run(command, shell=True, check=True, cwd=PLAIN)
 
     with ThreadPoolExecutor(int(jobs)) as pool:
         list(pool.map(compile_one, objects))
@@ -189,7 +189,7 @@ def killer(margin, side, factor):
     environment = dict(os.environ)
     folder = BUILD
     if side == "gl":
-        folder = RELEASE
+        folder = PLAIN
         if margin:
             environment["DIRT_SHADERS"] = str(edited_shaders(margin, factor))
     elif margin:
@@ -217,6 +217,8 @@ def main():
     programs = {side: sorted({t for m, s in rows if s == side for t in tests_of(m, s)})
                 for side in SOURCES}
     if not wanted.no_build:
+        subprocess.run(["cmake", "-S", ROOT, "-B", PLAIN, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                        "-DDIRT_UNITY=OFF"], check=True, stdout=subprocess.DEVNULL)
         everything = sorted({program for side in programs.values() for program in side})
         ninja(f"-j{wanted.jobs}", *everything)
         build_cpp(wanted.jobs, sorted({*programs["core"], *programs["cpu"]}))

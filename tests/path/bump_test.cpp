@@ -1,7 +1,7 @@
 // Normals from heights, against the plane that the heights make.
 
 #include "core/path/fetch_surface.h"
-#include "tests/frame/shapes.h"
+#include "tests/path/square.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -9,29 +9,22 @@
 namespace dirt {
 namespace {
 
+using test::kMirrored, test::kTowards, test::kTurned, test::kUpright, test::square;
+
 constexpr int kTexels = 8;
 
-/// A quad in the plane z = -2 whose heights grow by \p u and \p v for each texel.
-Scene ramp(float u, float v, float bumpScale, std::vector<glm::vec2> texcoords) {
-    Scene scene;
+/// A square whose heights grow by \p u and \p v for each texel.
+Scene ramp(float u, float v, float bumpScale, const std::vector<glm::vec2>& texcoords) {
+    Scene scene = square(texcoords);
     std::vector<float> heights;
     for (int y = 0; y < kTexels; ++y)
         for (int x = 0; x < kTexels; ++x)
             heights.push_back(u * (float) x + v * (float) (kTexels - 1 - y)); // rows downwards
     scene.scalarTextures = {ScalarTexture("ramp", kTexels, kTexels, std::move(heights))};
-    scene.materials = {test::material(glm::vec3(0.5f))};
     scene.materials[0].bumpMap = 0;
     scene.materials[0].bumpScale = bumpScale;
-    test::addQuad(scene.mesh, {-1, -1, -2}, {2, 0, 0}, {0, 2, 0}, 0);
-    scene.mesh.texcoords = std::move(texcoords);
-    scene.mesh.texcoordIndices = {{0, 1, 2}, {0, 2, 3}};
-    scene.camera.eye = glm::vec3(0.0f);
     return scene;
 }
-
-const std::vector<glm::vec2> kUpright = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-const std::vector<glm::vec2> kMirrored = {{1, 0}, {0, 0}, {0, 1}, {1, 1}};
-const std::vector<glm::vec2> kTurned = {{0, 1}, {0, 0}, {1, 0}, {1, 1}}; // u along y, v along -x
 
 glm::vec3 normalAt(const Scene& scene, glm::vec3 direction, float u = 0.4f, float v = 0.3f) {
     const FrameGeometry geometry = makeFrameGeometry(scene.mesh, scene.camera, ViewMode::full);
@@ -43,8 +36,6 @@ void expectNear(glm::vec3 found, glm::vec3 wanted) {
     EXPECT_LT(glm::length(found - glm::normalize(wanted)), 3e-6f)
         << found.x << " " << found.y << " " << found.z;
 }
-
-const glm::vec3 kTowards(0.1f, 0.2f, -1.0f);
 
 TEST(Bumps, HeightsTurnTheNormalAwayFromWhereTheyGrow) {
     expectNear(normalAt(ramp(0.25f, 0, 1, kUpright), kTowards), {-0.25f, 0, 1});

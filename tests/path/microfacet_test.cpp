@@ -13,8 +13,8 @@
 namespace dirt {
 namespace {
 
-constexpr uint kModels[] = {kBeckmann, kGgx, kCookTorrance, kPhong};
-constexpr float kWidths[] = {1.0f, 0.3f, 0.02f, kMirrorRoughness};
+constexpr uint kDistributions[] = {kBeckmann, kGgx, kCookTorrance, kPhong};
+constexpr float kRoughnesses[] = {1.0f, 0.3f, 0.02f, kMirrorRoughness};
 constexpr float kCosines[] = {1.0f, 0.7f, 0.25f, 0.08f};
 
 /// Directions to draw: a million in the long form.
@@ -33,10 +33,10 @@ glm::vec3 viewAt(float cosine, float azimuth) {
 
 TEST(Microfacets, VisibleNormalsFollowTheirDensity) {
     const double level =
-        test::sidak(2 * std::size(kModels) * std::size(kWidths) * std::size(kCosines));
+        test::sidak(2 * std::size(kDistributions) * std::size(kRoughnesses) * std::size(kCosines));
     uint event = 0;
-    for (const uint model : kModels)
-        for (const float alpha : kWidths)
+    for (const uint model : kDistributions)
+        for (const float alpha : kRoughnesses)
             for (const float cosine : kCosines) {
                 ++event;
                 const glm::vec3 v = viewAt(cosine, 0.4f + (float) event);
@@ -70,9 +70,9 @@ TEST(Bsdf, DirectionsFollowTheirDensity) {
     const float widths[] = {1.0f, 0.4f, 0.15f};
     const float cosines[] = {0.95f, 0.5f, 0.1f};
     const double level =
-        test::sidak(2 * std::size(kModels) * std::size(widths) * std::size(cosines));
+        test::sidak(2 * std::size(kDistributions) * std::size(widths) * std::size(cosines));
     uint event = 1000;
-    for (const uint model : kModels)
+    for (const uint model : kDistributions)
         for (const float alpha : widths)
             for (const float cosine : cosines) {
                 ++event;

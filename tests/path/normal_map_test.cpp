@@ -5,7 +5,7 @@
 #include "shaders/shared/glossy_reflection.h"
 #include "shaders/shared/random.h"
 #include "shaders/shared/surface.h"
-#include "tests/frame/shapes.h"
+#include "tests/path/square.h"
 
 #include <cfloat>
 #include <cmath>
@@ -16,25 +16,11 @@
 namespace dirt {
 namespace {
 
-const std::vector<glm::vec2> kUpright = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-const std::vector<glm::vec2> kMirrored = {{1, 0}, {0, 0}, {0, 1}, {1, 1}}; // u along -x
-const std::vector<glm::vec2> kTurned = {{0, 1}, {0, 0}, {1, 0}, {1, 1}};   // u along y, v along -x
-const glm::vec3 kTowards(0.1f, 0.2f, -1.0f);
+using test::kMirrored, test::kTowards, test::kTurned, test::kUpright, test::square;
 
-/// A quad in the plane z = -2 that faces the eye.
-Scene quad(const std::vector<glm::vec2>& texcoords) {
-    Scene scene;
-    scene.materials = {test::material(glm::vec3(0.5f))};
-    test::addQuad(scene.mesh, {-1, -1, -2}, {2, 0, 0}, {0, 2, 0}, 0);
-    scene.mesh.texcoords = texcoords;
-    scene.mesh.texcoordIndices = {{0, 1, 2}, {0, 2, 3}};
-    scene.camera.eye = glm::vec3(0.0f);
-    return scene;
-}
-
-/// The same with a normal map that is \p normal everywhere, in floats.
+/// A square with a normal map that is \p normal everywhere, in floats.
 Scene mapped(const std::vector<glm::vec2>& texcoords, glm::vec3 normal) {
-    Scene scene = quad(texcoords);
+    Scene scene = square(texcoords);
     const glm::vec3 c = normal * 0.5f + 0.5f;
     scene.textures = {Texture("n", 1, 1, std::vector<float>{c.x, c.y, c.z})};
     scene.materials[0].normalMap = 0;
@@ -99,7 +85,7 @@ TEST(NormalMaps, TurnInterpolatedNormals) {
 }
 
 TEST(NormalMaps, FlatOnesOfBytesTiltByHalfAStep) {
-    Scene scene = quad(kUpright);
+    Scene scene = square(kUpright);
     scene.textures = {
         Texture("n", 1, 1, std::vector<uint8_t>{128, 128, 255}, TexelEncoding::linear)};
     scene.materials[0].normalMap = 0;
@@ -122,7 +108,7 @@ TEST(NormalMaps, NeedTextureCoordinates) {
 }
 
 TEST(Bumps, FollowTransforms) {
-    Scene scene = quad(kUpright);
+    Scene scene = square(kUpright);
     std::vector<float> ramp;
     for (int i = 0; i < 64; ++i) ramp.push_back(0.25f * (float) (i % 8));
     TextureSampling turned;
@@ -143,7 +129,7 @@ float metallicOf(const SurfacePoint& point) {
 constexpr float kHalfStep = 0.5f / 65535.0f + FLT_EPSILON;
 
 TEST(RoughnessMaps, WidenByTheirSquare) {
-    Scene scene = quad(kUpright);
+    Scene scene = square(kUpright);
     Material& material = scene.materials[0];
     material.reflectance = 0.5f;
     material.roughness = 0.75f;
@@ -157,7 +143,7 @@ TEST(RoughnessMaps, WidenByTheirSquare) {
 }
 
 TEST(MetallicMaps, ReflectMoreWhereTheyAreMetal) {
-    Scene scene = quad(kUpright);
+    Scene scene = square(kUpright);
     Material& material = scene.materials[0];
     material.reflectance = 0.04f;
     material.metallic = 0.5f;
@@ -176,7 +162,7 @@ TEST(MetallicMaps, ReflectMoreWhereTheyAreMetal) {
 }
 
 TEST(DiffuseMaps, AreMultipliedByFactorAndVertexColours) {
-    Scene scene = quad(kUpright);
+    Scene scene = square(kUpright);
     scene.textures = {Texture("t", 1, 1, std::vector<float>{0.5f, 0.25f, 1.0f})};
     scene.materials[0].diffuseMapFactor = {0.5f, 2.0f, 0.25f};
     EXPECT_EQ(pointOf(scene).diffuse, glm::vec3(0.5f)); // of a map, which there is none of
@@ -235,7 +221,9 @@ TEST(NormalSeenFrom, MirrorsOutOfTheSurface) {
             ++bent;
         }
         point.shadingNormal = g;
-        if (viewer >= kLeastCosine) EXPECT_EQ(normalSeenFrom(point, v), g) << i;
+        if (viewer >= kLeastCosine) {
+            EXPECT_EQ(normalSeenFrom(point, v), g) << i;
+        }
     }
     EXPECT_GT(kept, 10000);
     EXPECT_GT(bent, 10000);

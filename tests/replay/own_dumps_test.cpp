@@ -17,8 +17,6 @@
 namespace dirt::test {
 namespace {
 
-using Json = nlohmann::json;
-
 /// Two walls, a floor and a block around the eye; one triangle holds it.
 constexpr const char* kRoomObj = "v -2 -1 -3\nv 2 -1 -3\nv 2 2 -3\nv -2 2 -3\n"
                                  "v -2 -1 3\nv 2 -1 3\nv -0.5 -1 -2\nv 0.5 -1 -2\nv 0 0.3 -1.5\n"
@@ -47,12 +45,12 @@ protected:
         return run.status == 0;
     }
 
-    Json replay(std::vector<std::string> options, int status = 0) {
+    nlohmann::json replay(std::vector<std::string> options, int status = 0) {
         options.insert(options.begin(), {"replay", folder_ / "dump", "--json", "--quiet"});
         const Outcome run = dirt(options);
         EXPECT_EQ(run.status, status) << run.err << run.out;
         EXPECT_EQ(run.err, "");
-        return run.out.empty() ? Json() : Json::parse(run.out);
+        return run.out.empty() ? nlohmann::json() : nlohmann::json::parse(run.out);
     }
 
     TemporaryFolder folder_;
@@ -60,20 +58,21 @@ protected:
 
 TEST_P(OwnDumps, AreRight) {
     if (!dump()) GTEST_SKIP() << "no backend " << backend();
-    const Json json = replay({"--against", "cpu"});
+    const nlohmann::json json = replay({"--against", "cpu"});
     const bool hasGrid = backend() != "embree";
     // Depth, pyramid, lists, the eye; and three events of hits and shadow rays.
     ASSERT_EQ(json["passes"].size(), hasGrid ? 10u : 6u);
     for (const char* buffer : {"hit buffer", "shadow rays"})
-        EXPECT_EQ(std::count_if(json["passes"].begin(), json["passes"].end(),
-                                [&](const Json& pass) { return pass["buffer"] == buffer; }),
-                  3);
-    for (const Json& pass : json["passes"]) {
+        EXPECT_EQ(
+            std::count_if(json["passes"].begin(), json["passes"].end(),
+                          [&](const nlohmann::json& pass) { return pass["buffer"] == buffer; }),
+            3);
+    for (const nlohmann::json& pass : json["passes"]) {
         EXPECT_EQ(pass["compared"], pass["right"]) << pass;
         EXPECT_GT(pass["compared"].get<uint64_t>() + pass["outside"].get<uint64_t>(), 0u) << pass;
         EXPECT_TRUE(view() == "single" || pass["outside"] == 0u) << pass;
     }
-    for (const Json& row : json["against"]["rows"]) {
+    for (const nlohmann::json& row : json["against"]["rows"]) {
         EXPECT_EQ(row["different"], 0u) << row;
         EXPECT_GT(row["compared"], 0u) << row;
     }
@@ -98,8 +97,8 @@ protected:
         EXPECT_NE(run.err.find(says), std::string::npos) << run.err;
         EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     }
-    void editManifest(const std::function<void(Json&)>& edit) {
-        Json json = Json::parse(readFile(folder_ / "dump/manifest.json"));
+    void editManifest(const std::function<void(nlohmann::json&)>& edit) {
+        nlohmann::json json = nlohmann::json::parse(readFile(folder_ / "dump/manifest.json"));
         edit(json);
         folder_.write("dump/manifest.json", json.dump());
     }
@@ -118,14 +117,14 @@ TEST_P(ReplayedFiles, ThatCannotBeReadEndInOneLine) {
     folder_.write("dump/hits.1.exr", readFile(folder_ / "dump/depth.exr"));
     expectRefusal("/hits.1.exr: +X.level0: has no column primitive");
     folder_.write("dump/hits.1.exr", hits);
-    editManifest([](Json& json) { json["size"] = {41, 28}; });
+    editManifest([](nlohmann::json& json) { json["size"] = {41, 28}; });
     expectRefusal("/rays.0.exr: has 1120 records, not one for each of 41x28 pixels");
-    editManifest([](Json& json) {
+    editManifest([](nlohmann::json& json) {
         json["size"] = {40, 28};
         json["triangles"] = 30;
     });
     expectRefusal("/triangles.exr: has 8 triangles, where the manifest has 30");
-    editManifest([](Json& json) {
+    editManifest([](nlohmann::json& json) {
         json["triangles"] = 8;
         for (size_t i = 0; i < json["files"].size(); ++i)
             if (json["files"][i]["file"] == "ids.csv") json["files"].erase(i);
@@ -136,7 +135,7 @@ TEST_P(ReplayedFiles, ThatCannotBeReadEndInOneLine) {
 
 TEST_P(ReplayedFiles, OfASceneWithCutOutsAreNotJudgedByTheirHits) {
     ASSERT_TRUE(dump({"--bounces", "2"}));
-    editManifest([](Json& json) { json["cut_outs"] = true; });
+    editManifest([](nlohmann::json& json) { json["cut_outs"] = true; });
     const Outcome run = dirt({"replay", folder_ / "dump"});
     EXPECT_EQ(run.status, 0);
     EXPECT_EQ(run.out.find("Trace"), std::string::npos);
@@ -165,14 +164,14 @@ TEST_P(ReplayedFiles, OfAVisibilityThatForgetsAShadowNameItsPixel) {
     EXPECT_LT(blocker, 8u);
     value("occluded.X") = 0;
     writeExr(folder_ / "dump/shadowrays.0.exr", parts, {});
-    const Json json = replay({}, 1);
+    const nlohmann::json json = replay({}, 1);
     EXPECT_EQ(json["verdict"], "Visibility 0 is the first pass that is wrong: pixel " +
                                    std::to_string(pixel % 40) + "," + std::to_string(pixel / 40) +
                                    " is not occluded, where triangle " + std::to_string(blocker) +
                                    " is between it and the light, at t " +
                                    json["verdict"].get<std::string>().substr(
                                        json["verdict"].get<std::string>().rfind(' ') + 1));
-    EXPECT_EQ(json["passes"].back()["faults"], Json({{"missed occlusion", 1}}));
+    EXPECT_EQ(json["passes"].back()["faults"], nlohmann::json({{"missed occlusion", 1}}));
 }
 
 TEST_P(ReplayedFiles, MayHaveChannelsOfPlainNames) {
@@ -236,7 +235,7 @@ TEST(PortingPage, ShowsCodeThatWritesADumpWhichReplays) {
     const auto shown = shownParts(sourceFile("docs/porting.md"));
     EXPECT_EQ(shown.at("write"), code);
 
-    const Json manifest = Json::parse(shown.at("manifest"));
+    const nlohmann::json manifest = nlohmann::json::parse(shown.at("manifest"));
     GridSettings settings;
     settings.width = manifest["size"][0];
     settings.height = manifest["size"][1];

@@ -1,4 +1,5 @@
 #include "core/scene/animation.h"
+#include "tests/scene/apply.h"
 
 #include <gtest/gtest.h>
 
@@ -25,10 +26,6 @@ Animation oneSpace(TransformMotion motion) {
     return animation;
 }
 
-glm::dvec3 apply(const glm::dmat4& m, glm::dvec3 p) {
-    return glm::dvec3(m * glm::dvec4(p, 1.0));
-}
-
 /// Two products and a sum of numbers of at most 4, in double.
 constexpr double kRounding = 8 * 0x1p-52;
 
@@ -38,7 +35,7 @@ TEST(Animation, HoldsOutsideTheKeysAndIsLinearBetween) {
     motion.scale.keys = {{1.0, {1, 1, 1}}, {3.0, {3, 1, 1}}};
     const Animation animation = oneSpace(motion);
     const auto place = [&](double time) {
-        return apply(animation.toWorld(0, time), glm::dvec3(0.0));
+        return test::apply(animation.toWorld(0, time), glm::dvec3(0.0));
     };
     EXPECT_EQ(place(0.0), glm::dvec3(0, 0, 0));
     EXPECT_EQ(place(1.0), glm::dvec3(0, 0, 0));
@@ -48,7 +45,7 @@ TEST(Animation, HoldsOutsideTheKeysAndIsLinearBetween) {
     EXPECT_EQ(place(4.0), glm::dvec3(4, 2, 0));
     EXPECT_EQ(place(1e6), glm::dvec3(4, 2, 0));
     const auto width = [&](double time) {
-        return apply(animation.toWorld(0, time), {1, 0, 0}).x - place(time).x;
+        return test::apply(animation.toWorld(0, time), {1, 0, 0}).x - place(time).x;
     };
     EXPECT_EQ(width(0.0), 1.0);
     EXPECT_EQ(width(2.0), 2.0);
@@ -74,14 +71,14 @@ TEST(Animation, TurnsEvenlyAboutOneAxis) {
     }
     // Half of a quarter turn is an eighth.
     motion.rotation.keys = {{0.0, {0, {0, 1, 0}}}, {1.0, {90, {0, 1, 0}}}};
-    const glm::dvec3 p = apply(oneSpace(motion).toWorld(0, 0.5), {1, 0, 0});
+    const glm::dvec3 p = test::apply(oneSpace(motion).toWorld(0, 0.5), {1, 0, 0});
     EXPECT_LT(glm::length(p - glm::dvec3(std::sqrt(0.5), 0, -std::sqrt(0.5))), kRounding);
 }
 
 TEST(Animation, TakesTheShorterWayRound) {
     TransformMotion motion = rest();
     motion.rotation.keys = {{0.0, {0, {0, 1, 0}}}, {1.0, {270, {0, 1, 0}}}};
-    const glm::dvec3 p = apply(oneSpace(motion).toWorld(0, 0.5), {1, 0, 0});
+    const glm::dvec3 p = test::apply(oneSpace(motion).toWorld(0, 0.5), {1, 0, 0});
     EXPECT_LT(glm::length(p - glm::dvec3(std::sqrt(0.5), 0, std::sqrt(0.5))), kRounding);
 }
 
@@ -96,7 +93,7 @@ TEST(Animation, SpacesLieInSpaces) {
         {0, between, inner}};
     // (1, 0, 0) moves to (3, 0, 0), is doubled and lifted to (6, 1, 0), turned to (-1, 6, 0),
     // moved.
-    EXPECT_EQ(apply(animation.toWorld(1, 1.0), {1, 0, 0}), glm::dvec3(9, 6, 0));
+    EXPECT_EQ(test::apply(animation.toWorld(1, 1.0), {1, 0, 0}), glm::dvec3(9, 6, 0));
 }
 
 TEST(Animation, MovesWhatTheCameraHasKeysFor) {

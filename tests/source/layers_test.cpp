@@ -43,17 +43,6 @@ std::pair<int, std::string> placeOf(const std::string& file) {
     return {-1, ""};
 }
 
-/// What a file of C++ or GLSL includes in quotes.
-std::vector<std::string> includesOf(const std::string& file) {
-    static const std::regex kInclude("(?:^|\n)[ \t]*#include \"([^\"\n]+)\"");
-    const std::string text = test::sourceText(file);
-    std::vector<std::string> names;
-    for (auto at = std::sregex_iterator(text.begin(), text.end(), kInclude);
-         at != std::sregex_iterator(); ++at)
-        names.push_back((*at)[1]);
-    return names;
-}
-
 TEST(Layers, ArrowsGoDown) {
     std::set<std::string> seen;
     for (const std::string& file : test::sourceFiles({".h", ".cpp"})) {
@@ -64,7 +53,7 @@ TEST(Layers, ArrowsGoDown) {
             continue;
         }
         seen.insert(own);
-        for (const std::string& name : includesOf(file)) {
+        for (const std::string& name : test::includesOf(file)) {
             const auto [to, other] = placeOf(name);
             EXPECT_TRUE(to >= 0 && (to < from || other == own))
                 << file << " includes " << name << ", which does not stand below it";

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -34,6 +35,17 @@ inline std::string sourceText(const std::string& file) {
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();
+}
+
+/// What a file of C++ or GLSL includes in quotes.
+inline std::vector<std::string> includesOf(const std::string& file) {
+    static const std::regex kInclude("(?:^|\n)[ \t]*#include \"([^\"\n]+)\"");
+    const std::string text = sourceText(file);
+    std::vector<std::string> names;
+    for (auto at = std::sregex_iterator(text.begin(), text.end(), kInclude);
+         at != std::sregex_iterator(); ++at)
+        names.push_back((*at)[1]);
+    return names;
 }
 
 /// What a shell command prints on standard output.

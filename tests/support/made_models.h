@@ -36,7 +36,7 @@ enum BoxSide : unsigned {
 };
 
 /// A box whose faces look outwards, or inwards.
-inline void addBox(Mesh& mesh, glm::vec3 low, glm::vec3 high, bool inwards, unsigned without = 0) {
+inline void addRoom(Mesh& mesh, glm::vec3 low, glm::vec3 high, bool inwards, unsigned without = 0) {
     for (int axis = 0; axis < 3; ++axis)
         for (int side = 0; side < 2; ++side) {
             if (without & (1u << (2 * axis + side))) continue;
@@ -67,58 +67,58 @@ inline void addBall(Mesh& mesh, glm::vec3 centre, float radius, int rings) {
 
 inline Mesh box(bool inwards) {
     Mesh mesh;
-    addBox(mesh, glm::vec3(-1), glm::vec3(1), inwards);
+    addRoom(mesh, glm::vec3(-1), glm::vec3(1), inwards);
     return mesh;
 }
 
 /// A closed box with a cavity between walls of \p thickness.
 inline Mesh hollowBox(float thickness) {
     Mesh mesh = box(false);
-    addBox(mesh, glm::vec3(thickness - 1), glm::vec3(1 - thickness), true);
+    addRoom(mesh, glm::vec3(thickness - 1), glm::vec3(1 - thickness), true);
     return mesh;
 }
 
 /// A hall of 20 x 6 x 10 with four pillars.
 inline Mesh hall() {
     Mesh mesh;
-    addBox(mesh, {-10, 0, -5}, {10, 6, 5}, true);
+    addRoom(mesh, {-10, 0, -5}, {10, 6, 5}, true);
     for (float x : {-6.0f, 6.0f})
         for (float z : {-3.0f, 3.0f})
-            addBox(mesh, {x - 0.4f, 0, z - 0.4f}, {x + 0.4f, 6, z + 0.4f}, false);
+            addRoom(mesh, {x - 0.4f, 0, z - 0.4f}, {x + 0.4f, 6, z + 0.4f}, false);
     return mesh;
 }
 
 /// A room of 2 x 2 x 2 with two boxes in it, without one wall.
 inline Mesh openRoom(unsigned without) {
     Mesh mesh;
-    addBox(mesh, {-1, 0, -1}, {1, 2, 1}, true, without);
-    addBox(mesh, {-0.6f, 0, -0.6f}, {-0.1f, 1.2f, -0.1f}, false);
-    addBox(mesh, {0.2f, 0, 0}, {0.7f, 0.6f, 0.5f}, false);
+    addRoom(mesh, {-1, 0, -1}, {1, 2, 1}, true, without);
+    addRoom(mesh, {-0.6f, 0, -0.6f}, {-0.1f, 1.2f, -0.1f}, false);
+    addRoom(mesh, {0.2f, 0, 0}, {0.7f, 0.6f, 0.5f}, false);
     return mesh;
 }
 
 /// Three wings around a paved court.
 inline Mesh court() {
     Mesh mesh;
-    addBox(mesh, {-6, 0, -6}, {-4, 4, 6}, false);
-    addBox(mesh, {4, 0, -6}, {6, 4, 6}, false);
-    addBox(mesh, {-4, 0, -6}, {4, 4, -4}, false);
+    addRoom(mesh, {-6, 0, -6}, {-4, 4, 6}, false);
+    addRoom(mesh, {4, 0, -6}, {6, 4, 6}, false);
+    addRoom(mesh, {-4, 0, -6}, {4, 4, -4}, false);
     addQuad(mesh, {-4, 0, -4}, {-4, 0, 6}, {4, 0, 6}, {4, 0, -4});
     return mesh;
 }
 
 inline Mesh table() {
     Mesh mesh;
-    addBox(mesh, {-1, 0.9f, -0.6f}, {1, 1, 0.6f}, false);
+    addRoom(mesh, {-1, 0.9f, -0.6f}, {1, 1, 0.6f}, false);
     for (float x : {-0.9f, 0.8f})
-        for (float z : {-0.5f, 0.4f}) addBox(mesh, {x, 0, z}, {x + 0.1f, 0.9f, z + 0.1f}, false);
+        for (float z : {-0.5f, 0.4f}) addRoom(mesh, {x, 0, z}, {x + 0.1f, 0.9f, z + 0.1f}, false);
     return mesh;
 }
 
 /// A trunk, and cards that face everywhere.
 inline Mesh tree() {
     Mesh mesh;
-    addBox(mesh, {-0.1f, 0, -0.1f}, {0.1f, 2, 0.1f}, false);
+    addRoom(mesh, {-0.1f, 0, -0.1f}, {0.1f, 2, 0.1f}, false);
     for (int i = 0; i < 800; ++i) {
         const float y = 1 - (2.0f * (float) i + 1) / 800, turn = 2.4f * (float) i;
         const float radius = std::sqrt(1 - y * y);
@@ -171,7 +171,7 @@ inline Mesh labelsBehindABoard() {
 /// A house of walls and a roof, whose up is Z and whose front looks along -Y.
 inline Mesh zUpHouse() {
     Mesh mesh;
-    addBox(mesh, {-4, -3, 0}, {4, 3, 3}, false, front);
+    addRoom(mesh, {-4, -3, 0}, {4, 3, 3}, false, front);
     addQuad(mesh, {-4.5f, -3.5f, 3}, {4.5f, -3.5f, 3}, {4.5f, 0, 5}, {-4.5f, 0, 5});
     addQuad(mesh, {4.5f, 3.5f, 3}, {-4.5f, 3.5f, 3}, {-4.5f, 0, 5}, {4.5f, 0, 5});
     return mesh;
@@ -197,21 +197,21 @@ inline Mesh caseWithABall() {
 /// A closed box whose sides are there twice, to be seen from either side. (The diagonals of their
 /// quads cross: no two triangles have the same corners.)
 inline void addTwoSidedBox(Mesh& mesh, glm::vec3 low, glm::vec3 high) {
-    addBox(mesh, low, high, true);
-    addBox(mesh, low, high, false);
+    addRoom(mesh, low, high, true);
+    addRoom(mesh, low, high, false);
 }
 
 inline Mesh twoSidedRoom() {
     Mesh mesh;
     addTwoSidedBox(mesh, {-3, 0, -3}, {3, 2.7f, 3});
-    addBox(mesh, {-1, 0, -1}, {1, 1, 1}, false);
+    addRoom(mesh, {-1, 0, -1}, {1, 1, 1}, false);
     return mesh;
 }
 
 /// A tray of one layer, 2 x 1 x 2, open above, whose outside is its front.
 inline Mesh tray() {
     Mesh mesh;
-    addBox(mesh, {-1, 0, -1}, {1, 1, 1}, false, top);
+    addRoom(mesh, {-1, 0, -1}, {1, 1, 1}, false, top);
     return mesh;
 }
 
@@ -234,7 +234,7 @@ inline Mesh bowl() {
 /// A closed block, grey in front and on its sides, that has a screen behind.
 inline Mesh screenBehind() {
     Mesh mesh;
-    addBox(mesh, {-2, -1, -0.2f}, {2, 1, 0.2f}, false);
+    addRoom(mesh, {-2, -1, -0.2f}, {2, 1, 0.2f}, false);
     addQuad(mesh, {1.8f, -0.9f, -0.21f}, {-1.8f, -0.9f, -0.21f}, {-1.8f, 0.9f, -0.21f},
             {1.8f, 0.9f, -0.21f}, 1);
     return mesh;

@@ -42,7 +42,7 @@ ViewSet randomSettings(Random& random, ViewMode mode) {
     return {settings, camera};
 }
 
-std::string describe(const ViewSet& set, const std::vector<Triangle>& scene, const GridRay& r) {
+std::string rayText(const ViewSet& set, const std::vector<Triangle>& scene, const GridRay& r) {
     std::string text = test::describe(set) + " bins " + std::to_string(set.settings.bins) +
                        " maxMip " + std::to_string(set.settings.maxMip) +
                        (set.settings.traversal == Traversal::linear ? " linear" : " hierarchical") +
@@ -137,12 +137,12 @@ TEST(ClosestHit, EqualsBruteForceInFullMode) {
             if (!sameHit(hit, expected) && failures.add(std::string("another hit, rays ") + r.kind))
                 ADD_FAILURE() << "expected " << text(expected, geometry.triangles) << "\ngot "
                               << text(hit, geometry.triangles) << "\n"
-                              << describe(set, geometry.triangles, r);
+                              << rayText(set, geometry.triangles, r);
             if (hit.found() && hit.t > 0 && i % 8 == 0) {
                 const std::string wrong = misfiled(grid, set, ExactRay(r.ray), hit);
                 if (!wrong.empty() && failures.add(wrong + ", rays " + r.kind))
                     ADD_FAILURE() << wrong << ": " << text(hit, geometry.triangles) << "\n"
-                                  << describe(set, geometry.triangles, r);
+                                  << rayText(set, geometry.triangles, r);
             }
             const float maxT = random.pick(
                 {expected.t, std::nextafter(expected.t, INFINITY), FLT_MAX, 0.5f, 0.0f});
@@ -150,7 +150,7 @@ TEST(ClosestHit, EqualsBruteForceInFullMode) {
                 failures.add(std::string("anyHit, rays ") + r.kind))
                 ADD_FAILURE() << "anyHit up to " << hex(maxT) << " differs from "
                               << text(expected, geometry.triangles) << "\n"
-                              << describe(set, geometry.triangles, r);
+                              << rayText(set, geometry.triangles, r);
         }
     }
     EXPECT_GT(hits, total / 5);
@@ -180,7 +180,7 @@ TEST(ClosestHit, EqualsBruteForceInsideASingleView) {
                 ADD_FAILURE() << "expected " << text(expected, geometry.triangles) << "\ngot "
                               << text(hit, geometry.triangles) << "\nleaves at " << hex(part.end)
                               << "\n"
-                              << describe(set, geometry.triangles, r);
+                              << rayText(set, geometry.triangles, r);
         }
     }
     EXPECT_GT(compared, 1000);
@@ -206,9 +206,9 @@ TEST(ClosestHit, IsTheSameForEverySetting) {
             const Hit first = closestHit(grids[0], geometry, r.ray);
             for (const Grid& grid : grids) {
                 const Hit hit = closestHit(grid, geometry, r.ray);
-                ASSERT_TRUE(sameHit(hit, first)) << describe(set, geometry.triangles, r);
-                ASSERT_EQ(hit.view, first.view) << describe(set, geometry.triangles, r);
-                ASSERT_EQ(hit.tile, first.tile) << describe(set, geometry.triangles, r);
+                ASSERT_TRUE(sameHit(hit, first)) << rayText(set, geometry.triangles, r);
+                ASSERT_EQ(hit.view, first.view) << rayText(set, geometry.triangles, r);
+                ASSERT_EQ(hit.tile, first.tile) << rayText(set, geometry.triangles, r);
             }
         }
     }

@@ -11,7 +11,7 @@
 namespace dirt::test {
 namespace {
 
-class Random {
+class RandomPoints {
 public:
     glm::vec3 point() { return {number(), number(), number()}; }
     float number() { return uniform_(generator_); }
@@ -22,7 +22,7 @@ private:
 };
 
 TEST(PlainIntersect, FindsTheExactHitOfRaysThroughTheInside) {
-    Random random;
+    RandomPoints random;
     int hits = 0, misses = 0;
     for (int i = 0; i < 100'000; ++i) {
         const Triangle t{random.point(), random.point(), random.point()};
@@ -48,7 +48,7 @@ TEST(PlainIntersect, FindsTheExactHitOfRaysThroughTheInside) {
 }
 
 TEST(PlainIntersect, DisagreesWithTheExactRayAtEdges) {
-    Random random;
+    RandomPoints random;
     int lost = 0, invented = 0;
     for (int i = 0; i < 100'000; ++i) {
         const Triangle t{random.point(), random.point(), random.point()};

@@ -139,7 +139,7 @@ std::vector<ViewSet> smallViews(Random& random) {
     return sets;
 }
 
-std::string describe(const ViewSet& set, const Grid& grid, const GridRay& r) {
+std::string visitText(const ViewSet& set, const Grid& grid, const GridRay& r) {
     return test::describe(set) + " bins " + std::to_string(set.settings.bins) + " maxMip " +
            std::to_string(set.settings.maxMip) +
            (set.settings.traversal == Traversal::linear ? " linear" : " hierarchical") +
@@ -187,7 +187,7 @@ TEST(Visit, EveryPointOfTheRayIsInAVisitedCell) {
                                                       exact.unit - exact.directionUnit}
                                                  .value())
                                       << "\n"
-                                      << describe(set, grid, r);
+                                      << visitText(set, grid, r);
                 }
             }
         }
@@ -220,7 +220,7 @@ TEST(Visit, RaysAlongABorderAreFollowedUntilTheyCrossIt) {
             // Up to the crossing at t = 1, in steps of a fraction of the view.
             const double before = std::pow(2.0, random.uniform(-30, -17));
             const std::string wrong = test.lost(exact, exact.parameter(1.0 - before), cells);
-            ASSERT_EQ(wrong, "") << describe(set, grid, {r, "along a border"}) << " t 1 - "
+            ASSERT_EQ(wrong, "") << visitText(set, grid, {r, "along a border"}) << " t 1 - "
                                  << before;
             ++points;
         }
@@ -266,7 +266,7 @@ TEST(Visit, CellsComeInTheOrderOfT) {
                     last = {v, tile, bin};
                 });
                 if (!wrong.empty() && ++failures[r.kind] <= 2)
-                    ADD_FAILURE() << wrong << "\n" << describe(set, grid, r);
+                    ADD_FAILURE() << wrong << "\n" << visitText(set, grid, r);
             }
         }
     for (const auto& [kind, count] : failures)

@@ -55,7 +55,7 @@ private:
     FrameGeometry kept_;
 };
 
-constexpr uint32_t kRays = 2000;
+constexpr uint32_t kRaysOfKind = 2000;
 
 class VerifierTest : public testing::Test {
 protected:
@@ -66,7 +66,7 @@ protected:
         makeFrameGeometry(test::sphere(40, 20, 2.0, glm::dvec3(0.0)), camera_, ViewMode::full);
     SerialExecutor serial_;
     BruteForce sound_;
-    VerifySettings settings_{.rays = kRays, .agreeing = 100};
+    VerifySettings settings_{.rays = kRaysOfKind, .agreeing = 100};
 
     KindReport run(RayKind kind, std::vector<Tracer*> backends) {
         return run(kind, backends, serial_);
@@ -80,7 +80,7 @@ protected:
     std::vector<Hit> truth(RayKind kind) {
         const RaySource source(geometry_, camera_, grid_, settings_.seed);
         std::vector<Hit> hits;
-        for (uint32_t i = 0; i < kRays; i++)
+        for (uint32_t i = 0; i < kRaysOfKind; i++)
             hits.push_back(closestHitBruteForce(geometry_, source.make(kind, i)));
         return hits;
     }
@@ -91,7 +91,7 @@ protected:
 TEST_F(VerifierTest, FindsNothingWrongWithASoundBackend) {
     for (const RayKind kind : kRayKinds) {
         const KindReport report = run(kind, {&sound_});
-        EXPECT_EQ(report.rays, kRays) << rayKindName(kind);
+        EXPECT_EQ(report.rays, kRaysOfKind) << rayKindName(kind);
         EXPECT_EQ(report.outside, 0u);
         EXPECT_EQ(report.disagreed, 0u);
         EXPECT_EQ(report.agreed, settings_.agreeing);
@@ -152,14 +152,14 @@ TEST_F(VerifierTest, CountsEveryHitWhereThereIsNone) {
 TEST_F(VerifierTest, JudgesAgreementToo) {
     // Both lose the same triangles: only the sample of agreeing rays can tell.
     Dropping one, two;
-    settings_.agreeing = kRays;
+    settings_.agreeing = kRaysOfKind;
     const std::vector<Hit> hits = truth(RayKind::primary);
     const auto lost = std::count_if(hits.begin(), hits.end(), [](const Hit& hit) {
         return hit.found() && hit.primitive % kLost == 0;
     });
     const KindReport report = run(RayKind::primary, {&one, &two});
     EXPECT_EQ(report.disagreed, 0u);
-    EXPECT_EQ(report.agreed, kRays);
+    EXPECT_EQ(report.agreed, kRaysOfKind);
     EXPECT_EQ(report.backends[0].missed, (uint64_t) lost);
     EXPECT_EQ(report.backends[1].missed, (uint64_t) lost);
 }
@@ -217,8 +217,8 @@ TEST_F(VerifierTest, InSingleViewHitsOutsideDoNotCount) {
     for (const RayKind kind : kRayKinds) {
         const KindReport report = run(kind, {&clipped, &sound_});
         EXPECT_EQ(report.backends[0].errors(), 0u) << rayKindName(kind);
-        EXPECT_EQ(report.rays + report.outside, kRays);
-        EXPECT_GT(report.rays, kRays / 10) << rayKindName(kind);
+        EXPECT_EQ(report.rays + report.outside, kRaysOfKind);
+        EXPECT_GT(report.rays, kRaysOfKind / 10) << rayKindName(kind);
         EXPECT_LE(report.outside, report.disagreed + report.agreed);
         if (kind == RayKind::primary) {
             EXPECT_EQ(report.outside, 0u);

@@ -1,0 +1,42 @@
+# compile_folders_together(TARGET [EXCEPT REGEX])
+#
+# Compiles a folder's files a few at a time, so that the headers they share are parsed once: a build from
+# nothing takes a third of the time. An edit compiles its neighbours as well; so it is off by itself where
+# a compiler launcher is set, as ccache, which developers use, and a file that lacks an include of its own
+# is seen there. Names in unnamed namespaces have to differ within a folder. Files in which a line
+# matches REGEX are compiled alone.
+set(unity ON)
+if(CMAKE_CXX_COMPILER_LAUNCHER)
+    set(unity OFF)
+endif()
+option(DIRT_UNITY "Compile the files of a folder together" ${unity})
+
+function(compile_folders_together target)
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "EXCEPT" "")
+    if(NOT DIRT_UNITY)
+        return()
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/.*\\.cpp$")
+    set(together 10)
+    set(last)
+    foreach(source ${sources})
+        if(ARG_EXCEPT)
+            file(STRINGS ${source} found REGEX ${ARG_EXCEPT})
+            if(found)
+                continue()
+            endif()
+        endif()
+        get_filename_component(folder ${source} DIRECTORY)
+        if(NOT folder STREQUAL last)
+            set(last ${folder})
+            set(count 0)
+        endif()
+        math(EXPR group "${count} / ${together}")
+        math(EXPR count "${count} + 1")
+        file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${folder})
+        string(MAKE_C_IDENTIFIER "${name}_${group}" name)
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${name})
+    endforeach()
+endfunction()
