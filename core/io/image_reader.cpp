@@ -1,5 +1,6 @@
 #include "core/io/image_reader.h"
 
+#include "core/io/exr_header.h"
 #include "core/io/image_codec.h"
 #include "core/io/image_encoder.h"
 #include "core/io/load_report.h"
@@ -104,6 +105,9 @@ ImageReader::ImageReader(std::shared_ptr<const std::string> bytes, std::filesyst
             failAt(name_, 0, "damaged image: " + printable(error.what()));
         }
     } else {
+        if (std::string_view(codec->name) == "openexr")
+            if (const auto fault = exrHeaderFault(*bytes_))
+                failAt(name_, 0, "damaged image: " + *fault);
         source_ = std::make_unique<OtherSource>(codec->name, *bytes_, name_.string());
         if (!source_->error.empty())
             failAt(name_, 0, "no readable image: " + printable(source_->error));

@@ -1,5 +1,6 @@
 #include "core/io/read_exr_parts.h"
 
+#include "core/io/exr_header.h"
 #include "core/io/image_codec.h"
 #include "core/io/load_report.h"
 #include "core/io/text_file.h"
@@ -55,6 +56,7 @@ std::vector<ExrPart> readExrParts(const std::filesystem::path& file) {
     std::string bytes = readBytes(file);
     const ImageCodec* codec = codecOf(bytes);
     if (!codec || std::string_view(codec->name) != "openexr") failAt(file, 0, "is no EXR file");
+    if (const auto fault = exrHeaderFault(bytes)) failAt(file, 0, "damaged image: " + *fault);
     uint64_t budget = kFreeValues + kValuesPerByte * bytes.size();
     OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
     const auto input = OIIO::ImageInput::create("openexr");
