@@ -41,6 +41,9 @@ void addExplain(Command program, int& status);
 /// `dirt preview SCENE`: a buffer as a picture.
 void addPreview(Command program, int& status);
 
+/// `dirt view SCENE`: a window on it.
+void addView(Command program, int& status);
+
 /// `dirt replay DIR`: judges a dump, and says which pass went wrong first.
 void addReplay(Command program, int& status);
 

@@ -72,6 +72,7 @@ int run(int argc, const char* const* argv) {
     addDump(root, status);
     addExplain(root, status);
     addPreview(root, status);
+    addView(root, status);
     addReplay(root, status);
     addGenerate(root, status);
 

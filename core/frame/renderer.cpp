@@ -64,14 +64,14 @@ private:
     bool stopped_ = false;
 };
 
+} // namespace
+
 Image meanImage(const Backend& backend, const GridSettings& grid, int samples) {
     Image image{grid.width, grid.height, backend.readImage()};
     const float weight = samples > 0 ? 1.0f / (float) samples : 0.0f;
     for (glm::vec3& pixel : image.pixels) pixel *= weight;
     return image;
 }
-
-} // namespace
 
 double RenderResult::passMs(const char* name) const {
     double sum = 0.0;

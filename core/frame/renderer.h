@@ -30,6 +30,9 @@ struct RenderHooks {
     std::function<bool()> stop; ///< asked between passes: true gives up the unfinished sample
 };
 
+/// The image that a backend has summed up over \p samples, as their mean.
+Image meanImage(const Backend& backend, const GridSettings& grid, int samples);
+
 /// Renders one frame: one build, then all samples in order, each the passes of its path events.
 /// The image is a pure function of scene and settings, for any number of threads.
 class Renderer {

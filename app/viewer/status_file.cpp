@@ -1,0 +1,49 @@
+#include "app/viewer/status_file.h"
+
+#include "app/cli/json_report.h"
+#include "core/io/output_file.h"
+
+namespace dirt {
+
+namespace {
+
+Json stateJson(const ViewState& s) {
+    const GridSettings& grid = s.settings.grid;
+    return {{"backend", nameOf(s.backend)},
+            {"size", {grid.width, grid.height}},
+            {"view", grid.mode == ViewMode::full ? "full" : "single"},
+            {"tile", grid.tile},
+            {"bins", grid.bins},
+            {"max_mip", grid.maxMip},
+            {"bounces", s.settings.bounces},
+            {"ray_type", (int) s.settings.rayType},
+            {"shadow_map", s.settings.visibility == LightVisibility::shadowMap},
+            {"progressive", s.progressive},
+            {"shown", s.shown->name},
+            {"ray", s.ray ? Json(*s.ray) : Json()},
+            {"eye", vectorJson(s.camera.eye)},
+            {"target", vectorJson(s.camera.target)},
+            {"aperture_radius", s.camera.apertureRadius},
+            {"focal_distance", s.camera.focalDistance}};
+}
+
+} // namespace
+
+void writeStatus(const std::string& path, const Viewer& viewer, const ViewPicture* shown) {
+    Json json{{"loaded", viewer.model.loaded()},
+              {"changes", viewer.model.changes()},
+              {"problem", viewer.model.problem()},
+              {"said", viewer.said},
+              {"text", viewer.text},
+              {"timers", viewer.timers},
+              {"help", viewer.help}};
+    if (viewer.model.loaded()) json["state"] = stateJson(viewer.model.state());
+    if (shown)
+        json["picture"] = {{"change", shown->change},     {"width", shown->width},
+                           {"height", shown->height},     {"samples", shown->samples},
+                           {"error", shown->error},       {"done", shown->done},
+                           {"sample_ms", shown->sampleMs}};
+    writeFile(path, json.dump(2) + "\n");
+}
+
+} // namespace dirt

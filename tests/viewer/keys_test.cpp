@@ -1,0 +1,171 @@
+// Every key has the effect that the list says, as the status file tells it.
+
+#include "app/viewer/keys.h"
+
+#include "app/viewer/status_file.h"
+#include "tests/support/temporary_folder.h"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace dirt {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class Keys : public testing::Test {
+protected:
+    Keys() : before_(fs::current_path()) {
+        fs::current_path(folder_.path()); // where F5 writes to
+        CommonOptions options;
+        options.scene = folder_.write("box.obj", "v -1 0 -4\nv 1 0 -4\nv 0 2 -4\nf 1 2 3\n");
+        options.size = ImageSize{24, 16};
+        options.samples = 1;
+        options.tile = 16, options.bins = 4; // where steps lead both ways
+        options.threads = 1;
+        options.quiet = options.noCache = true;
+        model_ = std::make_unique<ViewModel>(options);
+        while (!model_->picture()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        viewer_ = std::make_unique<Viewer>(*model_);
+    }
+    ~Keys() override { fs::current_path(before_); }
+
+    /// The status, without what goes on by itself.
+    json status() {
+        const std::string file = (folder_.path() / "status.json").string();
+        writeStatus(file, *viewer_, model_->picture().get());
+        json read = json::parse(test::readFile(file));
+        read.erase("picture");
+        read.erase("changes");
+        return read;
+    }
+    json state() { return status()["state"]; }
+
+    json press(int key) {
+        keyBinding(key)->press(*viewer_);
+        return state();
+    }
+
+    test::TemporaryFolder folder_;
+    fs::path before_;
+    std::unique_ptr<ViewModel> model_;
+    std::unique_ptr<Viewer> viewer_;
+};
+
+TEST_F(Keys, EachIsThereOnceAndDoesSomething) {
+    std::set<int> seen;
+    for (const KeyBinding& binding : keyBindings()) {
+        EXPECT_TRUE(seen.insert(binding.key).second) << binding.label;
+        EXPECT_TRUE((binding.press != nullptr) != (binding.hold != nullptr)) << binding.label;
+        EXPECT_EQ(keyBinding(binding.key), &binding);
+        if (binding.key == 'C' || binding.key == 'V') continue; // of a lens that is on; below
+        const json before = status();
+        const uint64_t changes = model_->changes();
+        if (binding.press)
+            binding.press(*viewer_);
+        else
+            binding.hold(*viewer_, 0.5);
+        EXPECT_TRUE(status() != before || model_->changes() != changes || viewer_->quit)
+            << binding.label << ": nothing happens";
+    }
+    EXPECT_EQ(keyBinding('@'), nullptr);
+}
+
+TEST_F(Keys, AreAllInTheDocument) {
+    const std::string page = test::readFile(DIRT_SOURCE_DIR "/docs/viewer.md");
+    size_t at = 0;
+    for (const KeyBinding& binding : keyBindings()) {
+        const std::string row =
+            std::string("\n| `") + binding.label + "` | " + binding.meaning + " |\n";
+        at = page.find(row, at);
+        ASSERT_NE(at, std::string::npos) << row;
+        at += row.size() - 1;
+    }
+}
+
+TEST_F(Keys, PairsGoBothWays) {
+    const json start = state();
+    for (const auto& [there, back] : {std::pair('3', '4'), {'5', '6'}, {'7', '8'}, {'2', '1'}}) {
+        EXPECT_NE(press(there), start) << there;
+        EXPECT_EQ(press(back), start) << back;
+    }
+    for (const int key : {'F', 'G', 'M', 'P', 'Q', '-'}) {
+        EXPECT_NE(press(key), start) << (char) key;
+        EXPECT_EQ(press(key), start) << (char) key;
+    }
+    for (int i = 0; i < 4; ++i) press('=');
+    EXPECT_EQ(press('='), start);
+}
+
+TEST_F(Keys, ValuesStayWithinTheirRange) {
+    for (int i = 0; i < 300; ++i) press('5');
+    EXPECT_EQ(state()["bins"], 256);
+    for (int i = 0; i < 300; ++i) press('6');
+    EXPECT_EQ(state()["bins"], 1);
+    for (int i = 0; i < 10; ++i) press('7');
+    EXPECT_EQ(state()["tile"], 64);
+    for (int i = 0; i < 10; ++i) press('8');
+    EXPECT_EQ(state()["tile"], 1);
+    for (int i = 0; i < 10; ++i) press('4');
+    EXPECT_EQ(state()["bounces"], 1);
+    for (int i = 0; i < 20; ++i) press('0');
+    EXPECT_EQ(state()["max_mip"], 0);
+    for (int i = 0; i < 20; ++i) press('9');
+    EXPECT_EQ(state()["max_mip"], -1);
+}
+
+TEST_F(Keys, TheLensKeepsItsWidthWhileItIsOff) {
+    press('F');
+    const double width = state()["aperture_radius"];
+    EXPECT_GT(width, 0.0);
+    EXPECT_GT(press('C')["aperture_radius"], width);
+    press('V');
+    const double narrow = press('V')["aperture_radius"];
+    EXPECT_LT(narrow, width);
+    EXPECT_EQ(press('F')["aperture_radius"], 0.0);
+    EXPECT_EQ(press('F')["aperture_radius"], narrow);
+    const double focus = state()["focal_distance"];
+    EXPECT_GT(press('Z')["focal_distance"], focus);
+    press('X');
+    EXPECT_LT(press('X')["focal_distance"], focus);
+}
+
+TEST_F(Keys, PicturesAreSavedBesideEarlierOnes) {
+    press(kF5);
+    EXPECT_TRUE(fs::exists("box-view.png") && fs::exists("box-view.exr"));
+    press(kF5);
+    EXPECT_TRUE(fs::exists("box-view-2.png") && fs::exists("box-view-2.exr"));
+    EXPECT_EQ(viewer_->said, "saved box-view-2.png and .exr");
+}
+
+TEST_F(Keys, TheCameraIsLoggedAsOptionsThatGiveItAgain) {
+    dragView(*viewer_, 40, -20);
+    keyBinding(kUp)->hold(*viewer_, 0.3);
+    press(kF6);
+    CommonOptions options = model_->options();
+    double eye[3], target[3], up[3], fov = 0;
+    ASSERT_EQ(std::sscanf(viewer_->said.c_str(),
+                          "--eye %lf,%lf,%lf --target %lf,%lf,%lf --up %lf,%lf,%lf --fov %lf", eye,
+                          eye + 1, eye + 2, target, target + 1, target + 2, up, up + 1, up + 2,
+                          &fov),
+              10)
+        << viewer_->said;
+    const Camera camera = model_->state().camera;
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ((float) eye[i], camera.eye[i]);
+        EXPECT_EQ((float) target[i], camera.target[i]);
+        EXPECT_EQ((float) up[i], camera.up[i]);
+    }
+    EXPECT_EQ((float) fov, camera.verticalFov);
+}
+
+} // namespace
+} // namespace dirt

@@ -1,0 +1,175 @@
+// The viewer without its window: what it shows at rest, while things move, and when something
+// fails.
+
+#include "app/viewer/view_model.h"
+
+#include "core/frame/renderer.h"
+#include "tests/support/temporary_folder.h"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace dirt {
+namespace {
+
+constexpr const char* kFloorAndBox = "v -2 0 -4\nv 2 0 -4\nv 2 0 1\nv -2 0 1\n"
+                                     "v -1 0 -3\nv 1 0 -3\nv 1 1.5 -3\nv -1 1.5 -3\n"
+                                     "f 1 4 3 2\nf 5 6 7 8\n";
+
+class ViewModelTest : public testing::Test {
+protected:
+    CommonOptions options(const std::string& text = kFloorAndBox) {
+        CommonOptions options;
+        options.scene = folder_.write("box.obj", text);
+        options.size = ImageSize{48, 32};
+        options.samples = 4;
+        options.bounces = 2;
+        options.threads = 2;
+        options.quiet = options.noCache = true;
+        return options;
+    }
+
+    /// Whether it comes true within a time that no machine needs.
+    static bool comes(const std::function<bool()>& what) {
+        for (int i = 0; i < 6000; ++i) {
+            if (what()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return false;
+    }
+
+    /// The picture of the last change with all its samples; null if it does not come.
+    static std::shared_ptr<const ViewPicture> rest(const ViewModel& model) {
+        std::shared_ptr<const ViewPicture> picture;
+        comes([&] {
+            picture = model.picture();
+            return picture && picture->done && picture->change == model.changes();
+        });
+        return picture;
+    }
+
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(ViewModelTest, AtRestIsWhatRenderGives) {
+    const CommonOptions common = options();
+    const auto executor = makeExecutor(common);
+    const Input input = openInput(common, *executor);
+    const auto backend = makeBackend(common, *executor);
+    const Image expected = Renderer(input.scene, input.settings, *backend).render().image;
+
+    ViewModel model(common);
+    const auto picture = rest(model);
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(picture->samples, 4);
+    EXPECT_EQ(picture->image.pixels, expected.pixels);
+    EXPECT_EQ(picture->picture.width, 48);
+    EXPECT_GT(picture->error, 0.0);
+    EXPECT_EQ(model.problem(), "");
+    // And again after a movement to and fro.
+    const ViewState before = model.state();
+    model.change([](ViewState& s) { s.camera.eye.x += 0.5f; }, true);
+    model.change([&](ViewState& s) { s = before; }, true);
+    const auto later = rest(model);
+    ASSERT_TRUE(later);
+    EXPECT_EQ(later->image.pixels, expected.pixels);
+}
+
+TEST_F(ViewModelTest, ChangesAreDrawnAndTellWhichTheyAre) {
+    ViewModel model(options());
+    const auto first = rest(model);
+    ASSERT_TRUE(first);
+    model.change([](ViewState& s) { s.settings.grid.width = 33, s.settings.grid.tile = 1; });
+    const auto second = rest(model);
+    ASSERT_TRUE(second);
+    EXPECT_EQ(second->change, first->change + 1);
+    EXPECT_EQ(second->image.width, 33);
+    model.change([](ViewState& s) { s.shown = previewKind("entries"); });
+    const auto third = rest(model);
+    ASSERT_TRUE(third);
+    EXPECT_NE(third->scale.find("entries"), std::string::npos);
+    EXPECT_TRUE(third->image.pixels.empty());
+    model.change([](ViewState& s) { s.shown = previewKind("image"), s.progressive = false; });
+    EXPECT_EQ(rest(model)->samples, 1);
+}
+
+TEST_F(ViewModelTest, WhileTheCameraMovesPicturesAreCoarse) {
+    CommonOptions common = options();
+    common.size = ImageSize{640, 480};
+    ViewModel model(common);
+    ASSERT_TRUE(comes([&] { return model.picture() != nullptr; }));
+    model.change([](ViewState& s) { s.camera.eye.y += 0.1f; }, true);
+    const uint64_t change = model.changes();
+    std::shared_ptr<const ViewPicture> coarse;
+    ASSERT_TRUE(comes([&] { return (coarse = model.picture())->change == change; }));
+    EXPECT_LT(coarse->width, 640);
+    EXPECT_FALSE(coarse->done);
+    EXPECT_EQ(coarse->samples, 1);
+    const auto fine = rest(model);
+    ASSERT_TRUE(fine);
+    EXPECT_EQ(fine->width, 640);
+    EXPECT_EQ(fine->change, change);
+}
+
+TEST_F(ViewModelTest, WhatCannotBeLoadedIsSaidAndMayComeLater) {
+    CommonOptions common = options();
+    common.scene = (folder_.path() / "none.obj").string();
+    ViewModel model(common);
+    ASSERT_TRUE(comes([&] { return !model.problem().empty(); }));
+    EXPECT_NE(model.problem().find("none.obj"), std::string::npos);
+    EXPECT_FALSE(model.loaded());
+    model.change([](ViewState& s) { s.settings.bounces = 7; }); // there is nothing to change
+    folder_.write("none.obj", kFloorAndBox);
+    model.reload();
+    ASSERT_TRUE(rest(model));
+    EXPECT_EQ(model.problem(), "");
+    EXPECT_EQ(model.state().settings.bounces, 2);
+}
+
+TEST_F(ViewModelTest, AfterAFailedReloadTheOldSceneStays) {
+    ViewModel model(options());
+    const auto before = rest(model);
+    ASSERT_TRUE(before);
+    folder_.write("box.obj", "v 0 0 0\nf 1 2 3\n");
+    model.reload();
+    ASSERT_TRUE(comes([&] { return !model.problem().empty(); }));
+    EXPECT_NE(model.problem().find("box.obj:2"), std::string::npos) << model.problem();
+    const auto after = rest(model);
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->image.pixels, before->image.pixels);
+    folder_.write("box.obj",
+                  std::string(kFloorAndBox) + "v 0 0 -1\nv 1 0 -1\nv 0 1 -1\nf 9 10 11\n");
+    model.reload();
+    EXPECT_TRUE(comes([&] { return rest(model)->image.pixels != before->image.pixels; }));
+}
+
+TEST_F(ViewModelTest, WhatCannotBeDrawnIsSaidAndUndone) {
+    ViewModel model(options());
+    const auto before = rest(model);
+    ASSERT_TRUE(before);
+    model.change([](ViewState& s) { s.settings.grid.tile = 0; });
+    ASSERT_TRUE(comes([&] { return !model.problem().empty(); }));
+    EXPECT_EQ(model.picture(), before);
+    model.change([](ViewState& s) { s.settings.grid.tile = 4; });
+    EXPECT_TRUE(rest(model));
+    EXPECT_EQ(model.problem(), "");
+}
+
+TEST_F(ViewModelTest, EndsAtOnceWhateverItDoes) {
+    CommonOptions common = options();
+    common.samples.reset();
+    common.size = ImageSize{800, 600};
+    for (const int ms : {0, 5, 50, 300}) {
+        auto model = std::make_unique<ViewModel>(common);
+        std::this_thread::sleep_for(std::chrono::milliseconds(ms));
+        model.reset();
+    }
+}
+
+} // namespace
+} // namespace dirt
