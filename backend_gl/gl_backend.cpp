@@ -60,7 +60,10 @@ GlBackend::GlBackend(const GlOptions& options)
 }
 
 GlBackend::~GlBackend() {
-    context_.makeCurrent(); // for what the members delete
+    try {
+        context_.makeCurrent();        // for what the members delete
+    } catch (const CapabilityError&) { // it is lost, and all of that with it
+    }
 }
 
 std::string GlBackend::device() const {

@@ -128,7 +128,7 @@ void IdBuffer::read(Grid& grid) const {
             for (int bin = 0; bin < bins_; ++bin) {
                 const size_t first = grid.ids.size();
                 grid.heads.push_back((uint32_t) first);
-                const size_t layer = (size_t) (view * bins_ + bin);
+                const size_t layer = (size_t) view * (size_t) bins_ + (size_t) bin;
                 for (uint32_t node = heads[layer * cellsOfLayer + tile]; node != kNoNode;
                      node = nodes[node].next)
                     grid.ids.push_back(nodes[node].primitive);

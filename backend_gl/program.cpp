@@ -30,7 +30,7 @@ GlObject<ShaderKind> compile(const ShaderFiles& shaders, const std::string& file
     glGetShaderiv(shader.id(), GL_INFO_LOG_LENGTH, &length);
     std::string log((size_t) length + 1, '\0');
     glGetShaderInfoLog(shader.id(), length, nullptr, log.data());
-    throw std::runtime_error(source.withNames(log.c_str()));
+    throw std::runtime_error(source.withNames(log.substr(0, log.find('\0'))));
 }
 
 } // namespace
@@ -55,7 +55,7 @@ Program::Program(const ShaderFiles& shaders, const ProgramSource& source)
     glGetProgramiv(id(), GL_INFO_LOG_LENGTH, &length);
     std::string log((size_t) length + 1, '\0');
     glGetProgramInfoLog(id(), length, nullptr, log.data());
-    throw std::runtime_error(source.name + ": " + log.c_str());
+    throw std::runtime_error(source.name + ": " + log.substr(0, log.find('\0')));
 }
 
 } // namespace dirt

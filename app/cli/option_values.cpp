@@ -28,7 +28,7 @@ bool parse(std::string_view text, Number& value) {
 } // namespace
 
 Option addInteger(Command command, const std::string& name, int64_t low, int64_t high,
-                  const std::string& help, std::function<void(int64_t)> set) {
+                  const std::string& help, const std::function<void(int64_t)>& set) {
     const std::string expected =
         "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
     return command.addReader(name, "N", help, [=](const std::string& text) {
@@ -57,14 +57,14 @@ std::vector<int> readIntegers(const std::string& name, const std::string& text, 
 
 Option addIntegers(Command command, const std::string& name, size_t count, int high,
                    const std::string& typeName, const std::string& help,
-                   std::function<void(const std::vector<int>&)> set) {
+                   const std::function<void(const std::vector<int>&)>& set) {
     return command.addReader(name, typeName, help, [=](const std::string& text) {
         set(readIntegers(name, text, count, high, typeName));
     });
 }
 
 Option addNumber(Command command, const std::string& name, float low, float high,
-                 const std::string& help, std::function<void(float)> set) {
+                 const std::string& help, const std::function<void(float)>& set) {
     const auto show = [](float bound) {
         char text[32];
         return std::string(text, std::to_chars(text, text + sizeof text, bound).ptr);
@@ -79,7 +79,7 @@ Option addNumber(Command command, const std::string& name, float low, float high
 
 Option addNumbers(Command command, const std::string& name, size_t count,
                   const std::string& typeName, const std::string& help,
-                  std::function<void(const std::vector<double>&)> set) {
+                  const std::function<void(const std::vector<double>&)>& set) {
     constexpr const char* kCounts[] = {"no", "one", "two", "three", "four", "five", "six"};
     const std::string expected = std::string(kCounts[count]) + " numbers " + typeName;
     return command.addReader(name, typeName, help, [=](const std::string& text) {
@@ -100,14 +100,14 @@ Option addNumbers(Command command, const std::string& name, size_t count,
 }
 
 Option addVector(Command command, const std::string& name, const std::string& help,
-                 std::function<void(glm::dvec3)> set) {
+                 const std::function<void(glm::dvec3)>& set) {
     return addNumbers(command, name, 3, "X,Y,Z", help, [set](const std::vector<double>& v) {
         set({v[0], v[1], v[2]});
     });
 }
 
 Option addChoice(Command command, const std::string& name, const std::vector<std::string>& words,
-                 const std::string& help, std::function<void(size_t)> set) {
+                 const std::string& help, const std::function<void(size_t)>& set) {
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : "|") + word;
     return command.addReader(name, list, help, [=](const std::string& text) {
@@ -118,7 +118,7 @@ Option addChoice(Command command, const std::string& name, const std::vector<std
 }
 
 Option addSize(Command command, const std::string& name, int high, const std::string& help,
-               std::function<void(int width, int height)> set) {
+               const std::function<void(int width, int height)>& set) {
     const std::string expected =
         "a size WxH of 1x1 to " + std::to_string(high) + "x" + std::to_string(high) + " pixels";
     return command.addReader(name, "WxH", help, [=](const std::string& text) {
@@ -134,7 +134,7 @@ Option addSize(Command command, const std::string& name, int high, const std::st
 }
 
 Option addRange(Command command, const std::string& name, int high, const std::string& help,
-                std::function<void(int first, int last)> set) {
+                const std::function<void(int first, int last)>& set) {
     const std::string expected = "a range A:B, from 0 to " + std::to_string(high);
     return command.addReader(name, "A:B", help, [=](const std::string& text) {
         const std::string_view all = text;
@@ -148,7 +148,7 @@ Option addRange(Command command, const std::string& name, int high, const std::s
 }
 
 Option addBytes(Command command, const std::string& name, const std::string& help,
-                std::function<void(uint64_t)> set) {
+                const std::function<void(uint64_t)>& set) {
     return command.addReader(name, "SIZE", help, [=](const std::string& text) {
         constexpr std::string_view kUnits = "KMGT";
         std::string_view number = text;

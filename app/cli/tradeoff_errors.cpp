@@ -20,7 +20,7 @@ std::string sizeText(int width, int height) {
 void expectSame(const std::string& file, const ImageMetadata& expected,
                 const ImageMetadata& found) {
     for (const auto& [key, value] : expected) {
-        const auto same = [&](const auto& attribute) { return attribute.first == key; };
+        const auto same = [&name = key](const auto& attribute) { return attribute.first == name; };
         const auto there = std::find_if(found.begin(), found.end(), same);
         const std::string is = there == found.end() ? "unknown" : there->second;
         if (is != value)
@@ -43,11 +43,11 @@ Image KeptReferences::operator()(const RenderSettings& settings,
     ImageMetadata metadata = metadataOf(input_, settings, settings.samples);
     if (!std::filesystem::exists(file)) {
         checkWritable(file);
-        const Image image = trace();
+        Image image = trace();
         writeExr(file, image, metadata);
         return image;
     }
-    const Image image = readImage(file);
+    Image image = readImage(file);
     ImageMetadata found = readMetadata(file);
     metadata.emplace_back("dirt:size", sizeText(settings.grid.width, settings.grid.height));
     found.emplace_back("dirt:size", sizeText(image.width, image.height));

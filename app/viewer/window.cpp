@@ -63,6 +63,11 @@ private:
     }
 };
 
+/// A texture as ImGui passes it on, which calls it a pointer.
+ImTextureID textureId(GLuint texture) {
+    return (ImTextureID) (intptr_t) texture; // NOLINT(performance-no-int-to-ptr)
+}
+
 /// The window, its events, and a picture over all of it.
 class Window {
 public:
@@ -202,7 +207,7 @@ private:
             std::min(room.x / (float) picture.width, room.y / (float) picture.height);
         const ImVec2 size{(float) picture.width * scale, (float) picture.height * scale};
         const ImVec2 corner{(room.x - size.x) / 2, (room.y - size.y) / 2};
-        ImGui::GetBackgroundDrawList()->AddImage((ImTextureID) (intptr_t) texture_, corner,
+        ImGui::GetBackgroundDrawList()->AddImage(textureId(texture_), corner,
                                                  {corner.x + size.x, corner.y + size.y});
     }
 

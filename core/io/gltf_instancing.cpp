@@ -13,7 +13,7 @@ std::vector<float> read(const GltfData& data, const JsonValue& attributes, const
                         size_t components) {
     const auto accessor = attributes.integer(name, JsonValue::kMostIndex);
     if (!accessor) return {};
-    const std::vector<float> values = data.floats(*accessor, attributes, components);
+    std::vector<float> values = data.floats(*accessor, attributes, components);
     if (!std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))
         attributes.fail("have a " + std::string(name) + " that is not finite");
     return values;

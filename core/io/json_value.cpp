@@ -67,7 +67,7 @@ JsonValue JsonValue::required(const char* name) const {
 }
 
 std::optional<JsonValue> JsonValue::object(const char* name) const {
-    const auto value = member(name);
+    auto value = member(name);
     if (value && !value->isObject()) value->fail("is not an object");
     return value;
 }

@@ -54,7 +54,10 @@ void Mesh::addPatch(int material, int columns, int rows, const Surface& surface,
         return;
     }
     const int stride = columns + 1;
-    const auto at = [stride](int i, int j) { return static_cast<std::size_t>(j * stride + i); };
+    const auto at = [stride](int i, int j) {
+        return static_cast<std::size_t>(j) * static_cast<std::size_t>(stride) +
+               static_cast<std::size_t>(i);
+    };
     std::vector<SurfacePoint> points(static_cast<std::size_t>(stride * (rows + 1)));
     for (int j = 0; j <= rows; ++j) {
         for (int i = 0; i <= columns; ++i) {

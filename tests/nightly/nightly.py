@@ -9,8 +9,10 @@ memory of the largest process of each stage. The exit status is 1 if a stage is 
 """
 
 import argparse
+import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -77,6 +79,20 @@ def fuzz(stage, options):
     return green
 
 
+def tidy(stage, _):
+    """clang-tidy over all sources but the tests, the files of a folder together."""
+    build = ROOT / "build" / "tidy"
+    if not shutil.which("clang-tidy"):
+        raise Skip("needs clang-tidy")
+    if not stage.run("cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DDIRT_UNITY=ON",
+                     "-DDIRT_TESTS=OFF", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"):
+        return False
+    files = [entry["file"] for entry in json.loads((build / "compile_commands.json").read_text())]
+    # What the build itself makes is there after it; of the shaders' text there is nothing to say.
+    return all([stage.run("clang-tidy", "-p", build, "--quiet", file) for file in files
+                if not file.endswith("embedded_shaders.cpp")])
+
+
 def scene_files():
     if not SCENES.is_dir():
         raise Skip(f"no {SCENES}")
@@ -137,6 +153,7 @@ STAGES = {
     "asan-scenes": scenes("asan-ubsan"),
     "tsan-scenes": scenes("tsan"),
     "fuzz": fuzz,
+    "tidy": tidy,
     "extremes": extremes,
     "soak": soak,
 }
