@@ -53,13 +53,20 @@ std::string commandStart(const std::string& command, const std::string& scene) {
            shellWord(scene);
 }
 
-std::string pointOption(const Scene& scene, glm::vec3 point) {
+std::string pointOption(const glm::dvec3& origin, glm::vec3 point) {
     // 17 digits give a double again, 9 a float.
-    const int digits = scene.origin == glm::dvec3(0.0) ? 9 : 17;
-    const glm::dvec3 p = scene.inFiles(point);
+    const int digits = origin == glm::dvec3(0.0) ? 9 : 17;
+    const glm::dvec3 p = origin + glm::dvec3(point);
     char text[128];
     std::snprintf(text, sizeof text, "%.*g,%.*g,%.*g", digits, p.x, digits, p.y, digits, p.z);
     return text;
+}
+
+std::string cameraOptions(const glm::dvec3& origin, const Camera& camera) {
+    char fov[32];
+    std::snprintf(fov, sizeof fov, " --fov %.9g", camera.verticalFov);
+    return " --eye " + pointOption(origin, camera.eye) + " --target " +
+           pointOption(origin, camera.target) + vectorOption("--up", camera.up) + fov;
 }
 
 std::string structureOptions(const Input& input, const CommonOptions& common) {
@@ -77,11 +84,7 @@ std::string structureOptions(const Input& input, const CommonOptions& common) {
         if (grid.traversal == Traversal::linear) options += " --traversal linear";
         if (grid.precision == Precision::fast) options += " --precision fast";
     }
-    options += " --eye " + pointOption(input.scene, camera.eye) + " --target " +
-               pointOption(input.scene, camera.target) + vectorOption("--up", camera.up);
-    char fov[32];
-    std::snprintf(fov, sizeof fov, " --fov %.9g", camera.verticalFov);
-    options += fov;
+    options += cameraOptions(input.scene.origin, camera);
     if (common.memory) options += " --memory " + std::to_string(*common.memory);
     if (common.threads > 0) options += option("--threads", (int) common.threads);
     if (common.noCache) options += " --no-cache";

@@ -18,7 +18,11 @@ std::string structureOptions(const Input& input, const CommonOptions& options);
 /// What makes the same paths through it, for commands that shade.
 std::string pathOptions(const Input& input, const CommonOptions& options);
 
-/// A point of \p scene as --eye and --target have it: X,Y,Z in the coordinates of its files.
-std::string pointOption(const Scene& scene, glm::vec3 point);
+/// A point of a scene with \p origin as --eye and --target have it: X,Y,Z in the coordinates of its
+/// files.
+std::string pointOption(const glm::dvec3& origin, glm::vec3 point);
+
+/// " --eye … --target … --up … --fov …", which give the camera again.
+std::string cameraOptions(const glm::dvec3& origin, const Camera& camera);
 
 } // namespace dirt

@@ -14,8 +14,8 @@ std::string textOf(const Scene& scene) {
     const glm::vec3 up = scene.camera.up;
     std::snprintf(text, sizeof text, " --up=%.9g,%.9g,%.9g --fov=%.9g", up.x, up.y, up.z,
                   scene.camera.verticalFov);
-    return "--eye=" + pointOption(scene, scene.camera.eye) +
-           " --target=" + pointOption(scene, scene.camera.target) + text;
+    return "--eye=" + pointOption(scene.origin, scene.camera.eye) +
+           " --target=" + pointOption(scene.origin, scene.camera.target) + text;
 }
 
 } // namespace

@@ -4,10 +4,6 @@
 
 namespace dirt {
 
-void ErrorEstimate::clear() {
-    count_ = 0;
-}
-
 void ErrorEstimate::add(const Image& mean) {
     if (count_ == 0) {
         mean_.assign(mean.pixels.size(), 0.0f);

@@ -11,8 +11,6 @@ namespace dirt {
 /// image's mean. Welford's sums, over the samples that the means tell.
 class ErrorEstimate {
 public:
-    /// Forgets all samples.
-    void clear();
     /// The mean image after one more sample.
     void add(const Image& mean);
     /// 0 where there are fewer than two samples, or no light.

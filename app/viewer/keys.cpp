@@ -10,7 +10,7 @@ namespace dirt {
 
 namespace {
 
-// Of the demo: 40 bins, tiles up to 64 pixels.
+// As far as the command line goes.
 constexpr int kMostBins = 256, kLargestTile = 64, kMostBounces = 1024, kHighestLevel = 13;
 /// The way through the scene's box takes so long.
 constexpr double kSecondsThrough = 6.0;

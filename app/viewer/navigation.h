@@ -4,8 +4,8 @@
 
 namespace dirt {
 
-/// Moves eye and target, in units of the world: ahead without the view's pitch left out, to the
-/// right, and along the camera's up direction.
+/// Moves eye and target, in units of the world: along the view, to its right, and along the
+/// camera's up direction.
 void moveCamera(Camera& camera, double ahead, double right, double up);
 
 /// Turns the view about the eye, radians: to the right about the up direction, and upwards, short

@@ -11,8 +11,6 @@
 #include <new>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 namespace dirt {
 
 namespace {
@@ -30,16 +28,6 @@ constexpr int kShownAtOnce = 8;
 constexpr int kMostSamples = 1 << 20;
 /// Coarser ones cannot be walked through.
 constexpr double kLeastPixelShare = 1.0 / 64;
-
-double extentOf(const Mesh& mesh) {
-    glm::vec3 low(0.0f), high(0.0f);
-    bool first = true;
-    for (const glm::vec3& p : mesh.positions) {
-        low = first ? p : glm::min(low, p), high = first ? p : glm::max(high, p);
-        first = false;
-    }
-    return glm::length(glm::dvec3(high) - glm::dvec3(low));
-}
 
 } // namespace
 
@@ -97,9 +85,9 @@ std::string ViewModel::sceneName() const {
     return name_;
 }
 
-glm::dvec3 ViewModel::inFiles(glm::vec3 point) const {
+glm::dvec3 ViewModel::origin() const {
     const std::lock_guard lock(mutex_);
-    return origin_ + glm::dvec3(point);
+    return origin_;
 }
 
 void ViewModel::change(const std::function<void(ViewState&)>& edit, bool moving) {
@@ -177,7 +165,7 @@ void ViewModel::load() {
     input_ = std::move(input);
     backend_.reset(); // reads its shaders again
     const std::lock_guard lock(mutex_);
-    extent_ = extentOf(input_.scene.mesh);
+    extent_ = input_.precision.diagonal;
     name_ = input_.scene.name;
     origin_ = input_.scene.origin;
     finished_ = changes_++; // so that it is drawn

@@ -64,8 +64,8 @@ public:
     double extent() const;
     const CommonOptions& options() const { return options_; }
     std::string sceneName() const;
-    /// A point of the scene in the coordinates of its files.
-    glm::dvec3 inFiles(glm::vec3 point) const;
+    /// Of the scene, in the coordinates of its files.
+    glm::dvec3 origin() const;
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -1,6 +1,6 @@
 #include "app/viewer/viewer.h"
 
-#include "core/base/error.h"
+#include "app/cli/again.h"
 #include "core/io/image.h"
 
 #include <cstdio>
@@ -18,12 +18,6 @@ std::string freeName(const std::string& scene) {
     };
     for (int i = 2; taken(stem); ++i) stem = scene + "-view-" + std::to_string(i);
     return stem;
-}
-
-std::string vectorText(glm::dvec3 v, char between) {
-    char text[128];
-    std::snprintf(text, sizeof text, "%.9g%c%.9g%c%.9g", v.x, between, v.y, between, v.z);
-    return text;
 }
 
 } // namespace
@@ -52,18 +46,14 @@ void savePicture(Viewer& viewer) {
 void logCamera(Viewer& viewer) {
     if (!viewer.model.loaded()) return viewer.say("there is no camera yet");
     const Camera camera = viewer.model.state().camera;
-    const glm::dvec3 eye = viewer.model.inFiles(camera.eye),
-                     target = viewer.model.inFiles(camera.target);
-    const glm::dvec3 up(camera.up);
-    char fov[32];
-    std::snprintf(fov, sizeof fov, "%.9g", camera.verticalFov);
-    viewer.say("--eye " + vectorText(eye, ',') + " --target " + vectorText(target, ',') + " --up " +
-               vectorText(up, ',') + " --fov " + fov);
+    const glm::dvec3 origin = viewer.model.origin();
+    viewer.say(cameraOptions(origin, camera).substr(1));
     std::fprintf(stderr,
-                 "<camera name=\"view\" aperture=\"%s\"/>\n"
-                 "<user name=\"default_user\" position=\"%s\" target=\"%s\" up=\"%s\"/>\n",
-                 fov, vectorText(eye, ' ').c_str(), vectorText(target, ' ').c_str(),
-                 vectorText(up, ' ').c_str());
+                 "<camera name=\"view\" aperture=\"%.9g\"/>\n"
+                 "<user name=\"default_user\" position=\"%s\" target=\"%s\" "
+                 "up=\"%.9g,%.9g,%.9g\"/>\n",
+                 camera.verticalFov, pointOption(origin, camera.eye).c_str(),
+                 pointOption(origin, camera.target).c_str(), camera.up.x, camera.up.y, camera.up.z);
 }
 
 } // namespace dirt

@@ -4,6 +4,7 @@
 #include "app/viewer/overlay.h"
 #include "app/viewer/status_file.h"
 #include "core/base/error.h"
+#include "core/io/output_file.h"
 
 #include <algorithm>
 #include <chrono>
@@ -223,6 +224,7 @@ private:
 } // namespace
 
 void runViewer(const ViewerOptions& options) {
+    if (!options.status.empty()) checkWritable(options.status);
     const Display display;
     ViewModel model(options.common);
     Viewer viewer{model};
