@@ -72,7 +72,8 @@ PreviewPicture drawPixels(const Seen& seen, const GridSettings& grid,
                           const PreviewRequest& request) {
     const std::string_view name = request.kind->name;
     if (name == "mask" || name == "visibility") return drawFlags(seen, grid, request);
-    if (name == "hits") return ids(grid, [&](size_t i) { return seen.paths.next[i].primitive; });
+    if (name == "hits")
+        return ids(grid.width, grid.height, [&](size_t i) { return seen.paths.next[i].primitive; });
     if (name == "distance") return drawDistance(seen, grid);
     return drawWork(seen, grid, request);
 }

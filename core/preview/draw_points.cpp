@@ -58,7 +58,8 @@ PreviewPicture drawPoints(const Seen& seen, const GridSettings& grid,
     const glm::vec3 zero(0.0f), one(1.0f);
     const char* const axes = "-1 to 1 an axis, grid frame";
     using Point = const SurfacePoint&;
-    if (name == "primitive") return ids(grid, [&](size_t i) { return points[i].primitive; });
+    if (name == "primitive")
+        return ids(grid.width, grid.height, [&](size_t i) { return points[i].primitive; });
     if (name == "barycentrics")
         return vectors(zero, one, "0 to 1: weights of the triangle's corners in R, G, B",
                        [](Point p) { return glm::vec3(1.0f - p.u - p.v, p.u, p.v); });

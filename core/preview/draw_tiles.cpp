@@ -1,10 +1,12 @@
 #include "core/base/error.h"
 #include "core/dump/dump.h"
-#include "core/preview/paint.h"
+#include "core/preview/pixel_pictures.h"
 #include "core/preview/sheet.h"
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace dirt {
 
@@ -47,17 +49,18 @@ PreviewPicture drawEntryCounts(const Grid& grid, int bin) {
 /// The lowest id of the first bin that lists any.
 PreviewPicture drawFirst(const Grid& grid) {
     const Sheet sheet(grid, 0);
-    PreviewPicture picture = blank(sheet.width(), sheet.height(grid));
-    picture.scale = "a colour for each primitive";
+    const int width = sheet.width(), height = sheet.height(grid);
+    std::vector<uint32_t> first((size_t) width * (size_t) height, kNoPrimitive);
     forEachCell(grid, sheet, [&](int x, int y, size_t view, int tile) {
         for (int b = 0; b < grid.settings.bins; ++b) {
             const auto list = grid.list((int) view, tile, b);
             if (list.empty()) continue;
-            picture.set(x, y, idColour(*std::min_element(list.begin(), list.end())));
+            first[(size_t) y * (size_t) width + (size_t) x] =
+                *std::min_element(list.begin(), list.end());
             return;
         }
     });
-    return picture;
+    return ids(width, height, [&](size_t i) { return first[i]; });
 }
 
 PreviewPicture drawCells(const Grid& grid, const PreviewRequest& request) {
@@ -79,9 +82,15 @@ PreviewPicture drawTiles(const Grid& grid, const PreviewRequest& request) {
                          std::to_string(grid.settings.bins) + ", counted from 0");
     PreviewPicture picture = drawCells(grid, request);
     const Sheet sheet(grid, request.level);
-    for (size_t view = 0; grid.views.size() > 1 && view < grid.views.size(); ++view)
-        picture.parts.push_back(
-            {{sheet.left(view), sheet.top(view), sheet.columns, sheet.rows}, viewName(grid, view)});
+    const PictureValues whole = std::move(picture.values.front());
+    picture.values.clear();
+    for (size_t view = 0; view < grid.views.size(); ++view) {
+        const Box box{sheet.left(view), sheet.top(view), sheet.columns, sheet.rows};
+        if (grid.views.size() > 1) picture.parts.push_back({box, viewName(grid, view)});
+        picture.values.push_back(partOf(whole, box));
+        picture.values.back().view = (int) view;
+        picture.values.back().level = request.level;
+    }
     return picture;
 }
 

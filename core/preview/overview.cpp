@@ -2,6 +2,7 @@
 
 #include "core/dump/dump.h"
 #include "core/path/camera_rays.h"
+#include "core/preview/paint.h"
 #include "core/preview/present.h"
 #include "core/preview/sheet.h"
 #include "core/preview/view_image.h"
@@ -77,6 +78,13 @@ std::vector<Mark> rimOf(const View& view, const CameraRays& camera, int width, i
     return marks;
 }
 
+/// The values of a picture that stands at \p corner, enlarged \p times.
+PictureValues placed(PictureValues values, glm::ivec2 corner, int times) {
+    values.pixels = {corner.x, corner.y, values.columns() * times, values.rows() * times};
+    values.times = times;
+    return values;
+}
+
 /// The part of a sheet that is one view's.
 Picture cutOut(const Picture& sheet, const Sheet& places, size_t view) {
     Picture part(places.columns, places.rows);
@@ -92,7 +100,9 @@ PreviewPicture drawOverview(const PreviewPicture& image, const PreviewPicture& s
                             const Grid& grid, const Camera& camera, int level) {
     const Sheet places(grid, level);
     const Layout layout(image, sheet, places, grid.views.size());
-    PreviewPicture all{Picture(layout.width, layout.height), sheet.scale, {}, {}, {}, true};
+    PreviewPicture all = blank(layout.width, layout.height);
+    all.scale = sheet.scale;
+    all.bare = true;
     Canvas canvas(all);
     canvas.fill({0, 0, all.width, all.height}, kBackground);
     const GridSettings& settings = grid.settings;
@@ -103,6 +113,7 @@ PreviewPicture drawOverview(const PreviewPicture& image, const PreviewPicture& s
                       places.rows * layout.cellTimes};
         canvas.text(at.x, at.y - textHeight() + 4, viewName(grid, view), kFaintWords);
         canvas.paste(cutOut(sheet, places, view), at.x, at.y, layout.cellTimes);
+        all.values.push_back(placed(sheet.values[view], at, layout.cellTimes));
         Canvas within = canvas.within(box);
         const glm::dvec2 corner(at);
         if (settings.mode == ViewMode::full)
@@ -113,6 +124,7 @@ PreviewPicture drawOverview(const PreviewPicture& image, const PreviewPicture& s
                   layout.cellTimes);
     }
     canvas.paste(image, layout.image.x, layout.image.y, layout.imageTimes);
+    all.values.push_back(placed(image.values.front(), layout.image, layout.imageTimes));
     Canvas within = canvas.within({layout.image.x, layout.image.y, image.width * layout.imageTimes,
                                    image.height * layout.imageTimes});
     drawMarks(within, image.marks.marks, glm::dvec2(layout.image), layout.imageTimes);

@@ -23,6 +23,7 @@ PreviewPicture HeatMap::paint(bool fromZero) const {
             high = std::max(high, value);
         }
     PreviewPicture picture = blank(width, height);
+    picture.values = {{{0, 0, width, height}, 1, 1, values, unit}};
     if (low > high) {
         picture.scale = "nothing";
         return picture;
@@ -54,7 +55,7 @@ Colour idColour(uint32_t id) {
 }
 
 PreviewPicture blank(int width, int height) {
-    return {Picture(width, height), "", {}, {}, {}, false};
+    return {Picture(width, height), "", {}, {}, {}, {}, false};
 }
 
 std::string scaleNumber(double value) {

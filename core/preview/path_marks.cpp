@@ -5,6 +5,9 @@
 #include "core/preview/sheet.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace dirt {
 
@@ -17,9 +20,9 @@ struct RayKind {
 };
 
 constexpr RayKind kRayKinds[] = {
-    {"primary", {255, 255, 255}, "the ray from the eye, and the tiles that it visits"},
-    {"indirect", {86, 180, 233}, "indirect rays, likewise"},
-    {"shadow", {240, 228, 66}, "shadow rays, likewise"},
+    {"primary", {255, 255, 255}, "the ray from the eye"},
+    {"indirect", {86, 180, 233}, "indirect rays"},
+    {"shadow", {240, 228, 66}, "shadow rays"},
 };
 
 std::string textOf(const PathRequest& path) {
@@ -50,31 +53,76 @@ void markRay(std::vector<Mark>& marks, const DrawnRay& ray, const ViewTrail& tra
         marks.push_back({Mark::Shape::cross, corner + *hit / cell, {}, kHitMark});
 }
 
+/// The same in the image. The eye is the origin of the grid frame.
+void markInImage(std::vector<Mark>& marks, const DrawnRay& ray, const ImagePlane& plane,
+                 Colour colour) {
+    const glm::dvec3 right(plane.right), down(plane.down), forward(plane.forward);
+    const glm::dvec3 origin(ray.trail.ray.origin), direction(ray.trail.ray.direction);
+    const auto pixel = [&](glm::dvec3 p) {
+        const double ahead = glm::dot(p, forward);
+        return glm::dvec2((glm::dot(p, right) / ahead - (double) plane.slopeX) / plane.stepX,
+                          (glm::dot(p, down) / ahead - (double) plane.slopeY) / plane.stepY);
+    };
+    // What of the ray is so far before the eye that its image is not far outside.
+    const double speed = glm::dot(direction, forward), start = glm::dot(origin, forward);
+    const double least = 1e-6 * (std::abs(start) + std::abs(speed));
+    double begin = 0.0, end = std::min(ray.end(), 1e9);
+    if (speed == 0.0 && start < least) return;
+    if (speed > 0.0) begin = std::max(begin, (least - start) / speed);
+    if (speed < 0.0) end = std::min(end, (least - start) / speed);
+    if (!(begin < end)) return;
+    marks.push_back({Mark::Shape::line, pixel(origin + begin * direction),
+                     pixel(origin + end * direction), colour});
+    if (ray.hits() && end == ray.end())
+        marks.push_back({Mark::Shape::cross, pixel(origin + end * direction), {}, kHitMark});
+}
+
+/// Calls \p draw(ray, colour) for the rays that are asked for, and says what was drawn.
+template <typename Draw>
+std::vector<Key> forEachRay(const PathAccount& account, const PathRequest& path, const char* tiles,
+                            const Draw& draw) {
+    bool drawn[std::size(kRayKinds)] = {};
+    for (const EventAccount& event : account.events) {
+        if (path.event && *path.event != event.event) continue;
+        const std::vector<ExplainedRay> rays = raysOf(account, event);
+        for (size_t i = 0; i < rays.size(); ++i) {
+            if (path.ray && (size_t) *path.ray != i) continue;
+            const auto kind =
+                std::find_if(std::begin(kRayKinds), std::end(kRayKinds),
+                             [&](const RayKind& known) { return rays[i].kind == known.name; });
+            drawn[kind - std::begin(kRayKinds)] = true;
+            draw(DrawnRay{*account.grid, account.geometry, *rays[i].trail}, kind->colour);
+        }
+    }
+    std::vector<Key> keys;
+    const std::string pixel = "pixel " + textOf(path) + ": ";
+    for (size_t i = 0; i < std::size(kRayKinds); ++i)
+        if (drawn[i])
+            keys.push_back({Key::Shape::box, kBackground, kRayKinds[i].colour,
+                            pixel + kRayKinds[i].meaning + tiles});
+    keys.push_back(
+        {Key::Shape::cross, kHitMark, kHitMark,
+         keys.empty() ? pixel + "its path has no ray there" : "where they hit something"});
+    return keys;
+}
+
 } // namespace
 
 Marks marksOfPath(const PathAccount& account, const PathRequest& path, int level) {
     Marks marks;
-    bool drawn[std::size(kRayKinds)] = {};
-    for (const EventAccount& event : account.events) {
-        if (path.event && *path.event != event.event) continue;
-        for (const ExplainedRay& ray : raysOf(account, event)) {
-            const auto kind =
-                std::find_if(std::begin(kRayKinds), std::end(kRayKinds),
-                             [&](const RayKind& known) { return ray.kind == known.name; });
-            drawn[kind - std::begin(kRayKinds)] = true;
-            const DrawnRay one{*account.grid, account.geometry, *ray.trail};
-            for (const ViewTrail& view : ray.trail->views)
-                markRay(marks.marks, one, view, level, kind->colour);
-        }
-    }
-    for (size_t i = 0; i < std::size(kRayKinds); ++i)
-        if (drawn[i])
-            marks.keys.push_back({Key::Shape::box, kBackground, kRayKinds[i].colour,
-                                  "pixel " + textOf(path) + ": " + kRayKinds[i].meaning});
-    marks.keys.push_back({Key::Shape::cross, kHitMark, kHitMark,
-                          marks.keys.empty()
-                              ? "pixel " + textOf(path) + ": its path has no ray there"
-                              : "where they hit something"});
+    marks.keys = forEachRay(account, path, ", and the tiles that they visit",
+                            [&](const DrawnRay& ray, Colour colour) {
+                                for (const ViewTrail& view : ray.trail.views)
+                                    markRay(marks.marks, ray, view, level, colour);
+                            });
+    return marks;
+}
+
+Marks marksInImage(const PathAccount& account, const PathRequest& path, const CameraRays& camera) {
+    Marks marks = marksOfPixel(path);
+    marks.keys = forEachRay(account, path, "", [&](const DrawnRay& ray, Colour colour) {
+        markInImage(marks.marks, ray, camera.plane(), colour);
+    });
     return marks;
 }
 

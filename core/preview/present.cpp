@@ -81,6 +81,17 @@ void drawCaption(Canvas& canvas, int x, int y, const PreviewPicture& picture) {
     drawKeys(canvas, x, y, picture.marks.keys);
 }
 
+std::vector<PictureValues> presentedValues(const PreviewPicture& picture) {
+    std::vector<PictureValues> values = picture.values;
+    const int times = timesOf(picture);
+    for (PictureValues& part : values) {
+        Box& box = part.pixels;
+        box = {box.left * times, box.top * times, box.width * times, box.height * times};
+        part.times *= times;
+    }
+    return values;
+}
+
 Picture present(const PreviewPicture& picture) {
     const int times = timesOf(picture);
     const int width = picture.width * times, height = picture.height * times;

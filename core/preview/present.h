@@ -8,6 +8,9 @@ namespace dirt {
 /// below what the colours stand for: false ones with a bar from the least number to the largest.
 Picture present(const PreviewPicture& picture);
 
+/// Its values, where they then stand.
+std::vector<PictureValues> presentedValues(const PreviewPicture& picture);
+
 /// The lines below a preview: its scale and the keys of its marks.
 int captionWidth(const PreviewPicture& picture);
 int captionHeight(const PreviewPicture& picture);

@@ -77,6 +77,7 @@ private:
         PreviewPicture picture = blank(image.width, image.height);
         picture.rgb = DisplayEncoding(scene_.toneMapping).bytes(image.pixels);
         picture.scale = "tone-mapped";
+        picture.values.push_back(valuesOf(image));
         picture.bare = true;
         return picture;
     }
@@ -94,13 +95,18 @@ private:
             grid_ = backend_.readGrid();
             return drawTiles(*grid_, request);
         }
+        if (request.account) return drawPath(request, *request.account);
         const auto [x, y] = request.path->pixel;
         const size_t pixel = (size_t) y * (size_t) settings_.grid.width + (size_t) x;
-        PathAccount account = accountOf(scene_, settings_, backend_, pixel, request.sample, stop_);
+        return drawPath(request,
+                        accountOf(scene_, settings_, backend_, pixel, request.sample, stop_));
+    }
+
+    PreviewPicture drawPath(const PreviewRequest& request, const PathAccount& account) {
         if (!account.grid) return {}; // it was stopped
         PreviewPicture picture = drawTiles(*account.grid, request);
         picture.marks = marksOfPath(account, *request.path, request.level);
-        grid_ = std::move(account.grid);
+        grid_ = account.grid;
         return picture;
     }
 

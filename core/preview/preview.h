@@ -3,6 +3,7 @@
 #include "core/frame/backend.h"
 #include "core/preview/marks.h"
 #include "core/preview/picture.h"
+#include "core/preview/picture_values.h"
 
 #include <array>
 #include <cstdint>
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace dirt {
+
+struct PathAccount;
 
 /// False colours from the least number to the largest; black is nothing.
 struct FalseColours {
@@ -31,6 +34,7 @@ struct NamedPart {
 struct PreviewPicture : Picture {
     std::string scale;                   ///< what the colours stand for: "0 to 37 entries a tile"
     std::optional<FalseColours> colours; ///< where they are false
+    std::vector<PictureValues> values;   ///< what it stands for, of each of its parts
     Marks marks;
     std::vector<NamedPart> parts; ///< where it has several
     bool bare = false;            ///< it explains itself: shown without its scale
@@ -62,7 +66,8 @@ enum class PointChoice { previous, current, next };
 /// The rays of a pixel that are drawn over the picture.
 struct PathRequest {
     std::array<int, 2> pixel{};
-    std::optional<int> event; ///< none: all
+    std::optional<int> event{}; ///< none: all
+    std::optional<int> ray{};   ///< of an event, as raysOf has them; none: all
 };
 
 /// What to draw.
@@ -75,6 +80,7 @@ struct PreviewRequest {
     PointChoice point = PointChoice::next;
     const PreviewKind* around = nullptr; ///< of an overview: the buffer of the views
     std::optional<PathRequest> path;
+    const PathAccount* account = nullptr; ///< of its pixel and sample, where there is one already
 };
 
 /// Draws a buffer of one sample of the frame (the image: of all the settings' samples), as
