@@ -40,8 +40,7 @@ public:
     /// conservative rasterization that misses tiles.
     std::string device() const override;
     bool isIeee() const override { return arithmeticFaults_.empty(); }
-    /// Reads the shaders anew.
-    void reloadShaders();
+    void reloadShaders() override;
 
     void clear(const Camera& camera, const GridSettings& settings) override;
     void transform(const Mesh& mesh, const Camera& camera, ViewMode mode) override;

@@ -220,9 +220,18 @@ const Program& Programs::use(const ProgramSource& source) {
     std::string key = source.name;
     for (const std::string& define : source.defines) key += "," + define;
     auto found = programs_.find(key);
-    if (found == programs_.end()) found = programs_.emplace(key, Program(shaders_, source)).first;
-    found->second.use();
-    return found->second;
+    if (found == programs_.end())
+        found = programs_.emplace(key, Compiled{source, Program(shaders_, source)}).first;
+    const Program& program = found->second.program;
+    program.use();
+    return program;
+}
+
+void Programs::reload() {
+    std::map<std::string, Compiled> fresh;
+    for (const auto& [key, known] : programs_)
+        fresh.emplace(key, Compiled{known.source, Program(shaders_, known.source)});
+    programs_ = std::move(fresh);
 }
 
 } // namespace dirt

@@ -84,12 +84,17 @@ public:
     /// Makes the program current and gives it.
     const Program& use(const ProgramSource& source);
 
-    /// Forgets all, so that files that were edited take effect.
-    void reload() { programs_.clear(); }
+    /// Compiles all that were asked for again, so that files that were edited take effect. All stay
+    /// as they are where one of them does not compile; throws what Program does.
+    void reload();
 
 private:
+    struct Compiled {
+        ProgramSource source;
+        Program program;
+    };
     ShaderFiles shaders_;
-    std::map<std::string, Program> programs_; ///< by name and defines
+    std::map<std::string, Compiled> programs_; ///< by name and defines
 };
 
 } // namespace dirt

@@ -114,19 +114,11 @@ int explainLists(const ExplainOptions& options, const Input& input, Backend& bac
     const std::vector<TileEntry> entries = entriesOf(options, grid, backend.readGeometry());
     size_t wrong = 0;
     for (const TileEntry& entry : entries) wrong += !entry.isRight();
-    std::string what = options.primitive ? "primitive " + std::to_string(*options.primitive)
-                                         : "tile (" + std::to_string((*options.tile)[1]) + ", " +
-                                               std::to_string((*options.tile)[2]) + ") of view " +
-                                               std::to_string((*options.tile)[0]);
-    if (!options.primitive) {
-        const auto [view, column, row] = *options.tile;
-        const DepthBounds& bounds =
-            grid.bounds(view, row * grid.views[(size_t) view].columns + column);
-        char text[96];
-        std::snprintf(text, sizeof text, ", depths %.9g .. %.9g, %d bins", (double) bounds.near,
-                      (double) bounds.far, grid.settings.bins);
-        what += bounds.empty() ? ", empty" : text;
-    }
+    std::string what;
+    if (options.primitive)
+        what = "primitive " + std::to_string(*options.primitive);
+    else
+        what = tileText(grid, (*options.tile)[0], (*options.tile)[1], (*options.tile)[2]);
     if (options.image) {
         const auto [view, column, row] = *options.tile;
         const std::string title = what + " of " + input.scene.name + ", " + backend.name();

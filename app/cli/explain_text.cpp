@@ -94,6 +94,18 @@ std::string viewText(const Grid& grid, const ViewTrail& view) {
     return text;
 }
 
+/// How much work a ray's way was, and what it found.
+std::string trailText(const RayTrail& trail) {
+    std::string text =
+        format("%llu cells, %llu tiles, %llu bins, %llu tests; ",
+               (unsigned long long) trail.counts.steps, (unsigned long long) trail.counts.tiles,
+               (unsigned long long) trail.counts.bins, (unsigned long long) trail.counts.tests);
+    if (trail.maxT) return text + (trail.blocked ? "blocked\n" : "open\n");
+    if (!trail.hit.found()) return text + "hits nothing\n";
+    return text + format("hits %u at t %.9g, filed under view %u, tile %u\n", trail.hit.primitive,
+                         (double) trail.hit.t, trail.hit.view, trail.hit.tile);
+}
+
 } // namespace
 
 const char* word(Tested result) {
@@ -174,20 +186,23 @@ std::string rayText(const std::optional<Grid>& grid, const ExplainedRay& explain
     text += "\n";
     if (!explained.trail) return text;
     const RayTrail& trail = *explained.trail;
-    text += format("    %llu cells, %llu tiles, %llu bins, %llu tests; ",
-                   (unsigned long long) trail.counts.steps, (unsigned long long) trail.counts.tiles,
-                   (unsigned long long) trail.counts.bins, (unsigned long long) trail.counts.tests);
-    if (trail.maxT)
-        text += trail.blocked ? "blocked\n" : "open\n";
-    else if (trail.hit.found())
-        text += format("hits %u at t %.9g, filed under view %u, tile %u\n", trail.hit.primitive,
-                       (double) trail.hit.t, trail.hit.view, trail.hit.tile);
-    else
-        text += "hits nothing\n";
+    text += "    " + trailText(trail);
     if (!trail.atEye.empty()) text += "    at the eye\n";
     for (const TriangleTrail& tested : trail.atEye) text += triangleText(tested);
     for (const ViewTrail& view : trail.views) text += viewText(*grid, view);
     return text;
+}
+
+std::string rayLine(const ExplainedRay& ray) {
+    return ray.kind + " ray: " + (ray.trail ? trailText(*ray.trail) : "no grid\n");
+}
+
+std::string tileText(const Grid& grid, int view, int column, int row) {
+    const std::string text = format("tile (%d, %d) of view %d", column, row, view);
+    const DepthBounds& bounds = grid.bounds(view, row * grid.views[(size_t) view].columns + column);
+    if (bounds.empty()) return text + ", empty";
+    return text + format(", depths %.9g .. %.9g, %d bins", (double) bounds.near,
+                         (double) bounds.far, grid.settings.bins);
 }
 
 std::string entriesText(const Scene& scene, const Grid& grid,

@@ -25,15 +25,14 @@ void addStructureOptions(Command command, CommonOptions& o) {
     addChoice(command, "--view", {"full", "single"},
               "six views around the eye, or only the camera's (default: full)",
               [&o](size_t i) { o.view = i == 0 ? ViewMode::full : ViewMode::single; });
-    addInteger(command, "--tile", 1, 64, "pixels along a tile (default: by cost)",
+    addInteger(command, "--tile", 1, kLargestTile, "pixels along a tile (default: by cost)",
                [&o](int64_t n) { o.tile = (int) n; });
-    addInteger(command, "--bins", 1, 256, "depth bins of a tile (default: by cost)",
+    addInteger(command, "--bins", 1, kMostBins, "depth bins of a tile (default: by cost)",
                [&o](int64_t n) { o.bins = (int) n; });
     addInteger(command, "--view-size", 1, kMaxSize,
                "pixels along a cube face (default: the image's height)",
                [&o](int64_t n) { o.viewSize = (int) n; });
-    // The pyramid over kMaxTiles = 2^13 tiles has the levels 0 to 13.
-    addInteger(command, "--max-mip", 0, 13,
+    addInteger(command, "--max-mip", 0, kHighestLevel,
                "highest level of the depth pyramid that is used (default: all)",
                [&o](int64_t n) { o.maxMip = (int) n; });
     addChoice(command, "--traversal", {"hierarchical", "linear"},
@@ -65,7 +64,7 @@ void addImageOptions(Command command, CommonOptions& o) {
             });
     addInteger(command, "--spp", 1, 1 << 24, "samples per pixel (default: 16)",
                [&o](int64_t n) { o.samples = (int) n; });
-    addInteger(command, "--bounces", 1, 1024, "path length, 1: direct light only (default: 3)",
+    addInteger(command, "--bounces", 1, kMostBounces, "path length, 1: direct light only (default: 3)",
                [&o](int64_t n) { o.bounces = (int) n; });
     addChoice(command, "--ray-type", {"default", "diffuse", "glossy", "specular", "visibility"},
               "what indirect rays take surfaces for; visibility: how open the surroundings are",

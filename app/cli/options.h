@@ -25,6 +25,9 @@ struct ImageSize {
     int width = 0, height = 0;
 };
 
+// The most that options take. The pyramid over kMaxTiles = 2^13 tiles has the levels 0 to 13.
+inline constexpr int kLargestTile = 64, kMostBins = 256, kHighestLevel = 13, kMostBounces = 1024;
+
 /// The options that every command with a scene has. What is not given stays empty, and the scene
 /// file's value, or else the default, holds.
 struct CommonOptions {

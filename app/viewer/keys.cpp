@@ -10,8 +10,6 @@ namespace dirt {
 
 namespace {
 
-// As far as the command line goes.
-constexpr int kMostBins = 256, kLargestTile = 64, kMostBounces = 1024, kHighestLevel = 13;
 /// The way through the scene's box takes so long.
 constexpr double kSecondsThrough = 6.0;
 constexpr double kRadiansPerPixel = 0.004;
@@ -71,15 +69,31 @@ void showNext(ViewState& s, int step) {
     s.shown = &kinds[(size_t) at];
 }
 
-void toggleRay(ViewState& s) {
-    if (s.ray)
-        s.ray.reset();
-    else
-        showRay(s, 0.5, 0.5);
+void toggleRay(Viewer& viewer) {
+    viewer.step = 0;
+    change(viewer, [](ViewState& s) {
+        if (s.ray)
+            s.ray.reset();
+        else
+            showRay(s, 0.5, 0.5);
+    });
+}
+
+/// From all rays of a path to the first alone, and on; or back.
+void stepAlongPath(Viewer& viewer, int step) {
+    const std::shared_ptr<const ViewPicture> shown = viewer.model.picture();
+    const int steps = shown ? (int) shown->path.size() : 0;
+    if (steps == 0) return viewer.say("no rays are shown: -");
+    viewer.step = (viewer.step + step + steps) % steps;
+}
+
+void playOrPause(Viewer& viewer) {
+    if (viewer.model.facts().lastFrame == 0) return viewer.say("nothing moves in this scene");
+    change(viewer, [](ViewState& s) { s.playing = !s.playing; });
 }
 
 void move(Viewer& viewer, double seconds, double ahead, double right, double up) {
-    const double step = viewer.model.extent() / kSecondsThrough * seconds;
+    const double step = viewer.model.facts().extent / kSecondsThrough * seconds;
     viewer.model.change(
         [&](ViewState& s) { moveCamera(s.camera, ahead * step, right * step, up * step); }, true);
 }
@@ -145,8 +159,11 @@ constexpr KeyBinding kBindings[] = {
     {'1', "1", "previous buffer",
      [](Viewer& v) { change(v, [](ViewState& s) { showNext(s, -1); }); }},
     {'2', "2", "next buffer", [](Viewer& v) { change(v, [](ViewState& s) { showNext(s, 1); }); }},
-    {'-', "-", "the rays of the pixel in the middle, or of the one that was clicked",
-     [](Viewer& v) { change(v, toggleRay); }},
+    {'-', "-", "the rays of the pixel in the middle, or of the one that was clicked", toggleRay},
+    {'.', ".", "the next ray of the pixel's path alone", [](Viewer& v) { stepAlongPath(v, 1); }},
+    {',', ",", "the one before", [](Viewer& v) { stepAlongPath(v, -1); }},
+    {' ', "Space", "an animated scene: pause, or go on", playOrPause},
+    {kTab, "Tab", "all of this for the mouse", [](Viewer& v) { v.panel = !v.panel; }},
     {'T', "T", "time of each pass", [](Viewer& v) { v.timers = !v.timers; }},
     {kF8, "F8", "figures over the picture", [](Viewer& v) { v.text = !v.text; }},
     {kF5, "F5", "save what is shown", savePicture},
@@ -164,12 +181,6 @@ const KeyBinding* keyBinding(int key) {
     const auto* found = std::find_if(std::begin(kBindings), std::end(kBindings),
                                      [&](const KeyBinding& binding) { return binding.key == key; });
     return found == std::end(kBindings) ? nullptr : found;
-}
-
-void showRay(ViewState& state, double x, double y) {
-    const GridSettings& grid = state.settings.grid;
-    state.ray = std::array{std::clamp((int) (x * grid.width), 0, grid.width - 1),
-                           std::clamp((int) (y * grid.height), 0, grid.height - 1)};
 }
 
 void dragView(Viewer& viewer, double right, double down) {

@@ -20,6 +20,7 @@ enum KeyCode : int {
     kF5,
     kF6,
     kF8,
+    kTab,
 };
 
 /// What a key does: once when it is pressed, or for as long as it is held.
@@ -36,9 +37,6 @@ std::span<const KeyBinding> keyBindings();
 
 /// Null where the key has no meaning.
 const KeyBinding* keyBinding(int key);
-
-/// Draws the rays of the pixel at this part of the image's width and height.
-void showRay(ViewState& state, double x, double y);
 
 /// Turns the view as far as a drag over so many pixels of the window says.
 void dragView(Viewer& viewer, double right, double down);

@@ -3,7 +3,9 @@
 #include "app/viewer/keys.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
@@ -39,20 +41,51 @@ void drawState(const ViewState& s, const ViewPicture& shown) {
         ImGui::Text("lens %.3g, focus %.3g", s.camera.apertureRadius, s.camera.focalDistance);
 }
 
+void drawFacts(const ViewModel::Facts& facts) {
+    ImGui::Text("%s: %zu triangles, %zu materials, %zu textures, %zu light%s, %.1f MB",
+                facts.name.c_str(), facts.triangles, facts.materials, facts.textures, facts.lights,
+                facts.lights == 1 ? "" : "s", (double) facts.bytes / 1e6);
+}
+
+/// The times of the last pictures, the newest on the right.
+void drawTimes(const std::vector<float>& frames) {
+    if (frames.empty()) return;
+    const float most = *std::max_element(frames.begin(), frames.end());
+    char text[48];
+    std::snprintf(text, sizeof text, "0 to %.0f ms", (double) most);
+    ImGui::PlotLines("##times", frames.data(), (int) frames.size(), 0, text, 0.0f, most,
+                     {320.0f, 48.0f});
+}
+
+/// Of the passes, and of the backend's buffers.
+void drawTables(const ViewPicture& shown) {
+    for (const PassTime& pass : shown.passes)
+        ImGui::Text("  %-22s %d %8.2f ms", pass.name.c_str(), pass.event, pass.ms);
+    for (const auto& [name, bytes] : shown.memory)
+        if (bytes > 0) ImGui::Text("  %-24s %8.2f MB", name.c_str(), (double) bytes / 1e6);
+}
+
 void drawFigures(const Viewer& viewer, const ViewPicture& shown, double framesPerSecond) {
-    ImGui::Text("%s on %s", viewer.model.sceneName().c_str(), shown.device.c_str());
-    drawState(viewer.model.state(), shown);
+    const ViewModel::Facts facts = viewer.model.facts();
+    const ViewState state = viewer.model.state();
+    drawFacts(facts);
+    ImGui::Text("%s, on %s", nameOf(state.backend), shown.device.c_str());
+    if (facts.lastFrame > 0)
+        ImGui::Text("frame %d of %d%s", shown.frame, facts.lastFrame,
+                    state.playing ? "" : ", paused (Space)");
+    drawState(state, shown);
     const double build = totalMs(shown.build);
     ImGui::Text("%.1f ms a sample, with the build; %.0f windows a second", shown.sampleMs,
                 framesPerSecond);
     if (!shown.build.empty())
         ImGui::Text("last whole frame: build %.1f ms, the rest %.1f ms", build,
                     totalMs(shown.passes) - build);
-    ImGui::Text("%llu list entries, %.1f MB", (unsigned long long) shown.listEntries,
-                shown.bytes / 1e6);
-    if (!viewer.timers) return;
-    for (const PassTime& pass : shown.passes)
-        ImGui::Text("  %-18s %d %8.2f ms", pass.name.c_str(), pass.event, pass.ms);
+    ImGui::Text("%llu list entries (%.1f MB), %.1f MB of buffers",
+                (unsigned long long) shown.listEntries,
+                (double) (shown.listEntries * sizeof(uint32_t)) / 1e6,
+                (double) totalBytes(shown.memory) / 1e6);
+    drawTimes(viewer.frames);
+    if (viewer.timers) drawTables(shown);
 }
 
 /// In as many columns as the window's height asks for.
@@ -68,23 +101,64 @@ void drawKeys() {
         for (size_t i = row; i < count; i += each) {
             ImGui::TableNextColumn();
             const bool isKey = i < keys.size();
-            ImGui::Text("%-5s %s", isKey ? keys[i].label : "drag",
-                        isKey ? keys[i].meaning : "turn the view");
+            ImGui::Text("%-5s %s", isKey ? keys[i].label : "mouse",
+                        isKey ? keys[i].meaning
+                              : "drag: turn; wheel: zoom; right drag: move what is zoomed; click: "
+                                "a tile's lists, a pixel's rays (-) or values");
         }
     }
     ImGui::EndTable();
+}
+
+/// On the right, as long as the window is high.
+void drawDetails(const std::string& text) {
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    const float width = std::min(0.5f * room.x, 80.0f * ImGui::CalcTextSize("0").x);
+    ImGui::SetNextWindowPos({room.x - width - 8, 8});
+    ImGui::SetNextWindowSize({width, room.y - 64});
+    ImGui::SetNextWindowBgAlpha(0.75f);
+    ImGui::Begin("details", nullptr,
+                 (ImGuiWindowFlags_NoDecoration & ~ImGuiWindowFlags_NoScrollbar) |
+                     ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::End();
+}
+
+/// What is told of the rays and the tile that are asked about.
+void drawTold(const Viewer& viewer, const ViewPicture& shown) {
+    std::string text;
+    if (const PathStep* step = viewer.stepOf(shown)) {
+        text = viewer.step == 0 ? "all rays"
+                                : "ray " + std::to_string(viewer.step) + " of " +
+                                      std::to_string(shown.path.size() - 1);
+        text += " (, and . step)\n" + step->text;
+    }
+    if (!shown.told.empty()) text += (text.empty() ? "" : "\n") + shown.told;
+    if (viewer.text && !text.empty()) drawDetails(text);
+}
+
+/// At the lower rim, so that it covers nothing that is pointed at above.
+void drawUnder(const std::string& text) {
+    ImGui::SetNextWindowPos({8, ImGui::GetIO().DisplaySize.y - 8}, ImGuiCond_Always, {0.0f, 1.0f});
+    ImGui::SetNextWindowBgAlpha(0.6f);
+    ImGui::Begin("under", nullptr, kPlain);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::End();
 }
 
 } // namespace
 
 void drawOverlay(const Viewer& viewer, const ViewPicture* shown, double framesPerSecond) {
     const std::string problem = viewer.model.problem();
+    if (shown) drawTold(viewer, *shown);
+    if (viewer.text && !viewer.under.empty()) drawUnder(viewer.under);
     const bool figures = viewer.text && shown;
     if (!figures && !viewer.help && problem.empty() && viewer.said.empty() && shown) return;
     ImGui::SetNextWindowPos({8, 8});
     ImGui::SetNextWindowBgAlpha(0.6f);
     ImGui::Begin("figures", nullptr, kPlain);
-    if (!shown && problem.empty()) ImGui::Text("loading %s", viewer.model.options().scene.c_str());
+    if (!shown && problem.empty()) ImGui::Text("loading %s", viewer.model.facts().file.c_str());
     if (!problem.empty()) ImGui::TextColored({1.0f, 0.5f, 0.4f, 1.0f}, "%s", problem.c_str());
     if (figures) drawFigures(viewer, *shown, framesPerSecond);
     if (!viewer.said.empty()) ImGui::TextUnformatted(viewer.said.c_str());

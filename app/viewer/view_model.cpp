@@ -1,11 +1,5 @@
 #include "app/viewer/view_model.h"
 
-#include "app/viewer/error_estimate.h"
-#include "core/base/error.h"
-#include "core/frame/renderer.h"
-#include "core/path/tone_mapping.h"
-#include "core/preview/present.h"
-
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -15,19 +9,8 @@ namespace dirt {
 
 namespace {
 
-using Milliseconds = std::chrono::duration<double, std::milli>;
-
-/// Pictures while the camera moves take no longer.
-constexpr double kFrameMs = 1000.0 / 15;
 /// A camera rests when it has not moved for so long.
 constexpr std::chrono::milliseconds kRest{150};
-/// Between two pictures of one that grows, but for its first samples.
-constexpr double kShowMs = 100;
-constexpr int kShownAtOnce = 8;
-/// Of a picture that nothing else ends.
-constexpr int kMostSamples = 1 << 20;
-/// Coarser ones cannot be walked through.
-constexpr double kLeastPixelShare = 1.0 / 64;
 
 } // namespace
 
@@ -35,11 +18,14 @@ constexpr double kLeastPixelShare = 1.0 / 64;
 struct ViewModel::Job {
     uint64_t change = 0;
     bool load = false, moving = false;
+    std::string file; ///< to be loaded
     ViewState state;
 };
 
 ViewModel::ViewModel(const CommonOptions& options)
-    : options_(options), thread_([this] { work(); }) {}
+    : options_(options), file_(options.scene), thread_([this] { work(); }) {
+    facts_.file = options.scene;
+}
 
 ViewModel::~ViewModel() {
     {
@@ -75,19 +61,9 @@ std::string ViewModel::problem() const {
     return problem_;
 }
 
-double ViewModel::extent() const {
+ViewModel::Facts ViewModel::facts() const {
     const std::lock_guard lock(mutex_);
-    return extent_;
-}
-
-std::string ViewModel::sceneName() const {
-    const std::lock_guard lock(mutex_);
-    return name_;
-}
-
-glm::dvec3 ViewModel::origin() const {
-    const std::lock_guard lock(mutex_);
-    return origin_;
+    return facts_;
 }
 
 void ViewModel::change(const std::function<void(ViewState&)>& edit, bool moving) {
@@ -103,8 +79,13 @@ void ViewModel::change(const std::function<void(ViewState&)>& edit, bool moving)
 }
 
 void ViewModel::reload() {
+    open("");
+}
+
+void ViewModel::open(const std::string& file) {
     {
         const std::lock_guard lock(mutex_);
+        if (!file.empty()) file_ = file;
         reload_ = true;
         ++changes_;
         problem_.clear();
@@ -116,22 +97,49 @@ bool ViewModel::isMoving() const {
     return Clock::now() - moved_ < kRest;
 }
 
+bool ViewModel::isPlaying() const {
+    return loaded_ && state_.playing && facts_.lastFrame > 0;
+}
+
 bool ViewModel::isStale(const Job& job) const {
     const std::lock_guard lock(mutex_);
     return quit_ || changes_ != job.change;
 }
 
+/// Goes on in the animation by the time that has passed, and says when the next frame is due.
+ViewModel::Clock::time_point ViewModel::advance() {
+    const auto now = Clock::now();
+    const std::chrono::duration<double> passed = now - std::exchange(played_, now);
+    if ((int) place_ != state_.frame) place_ = state_.frame; // it was put there, or stood there
+    place_ += std::min(passed.count(), 1.0) * facts_.framesPerSecond; // no leap after a pause
+    const double frames = facts_.lastFrame + 1;
+    place_ -= frames * std::floor(place_ / frames);
+    state_.frame = std::clamp((int) place_, 0, facts_.lastFrame);
+    const double left = (std::floor(place_) + 1.0 - place_) / facts_.framesPerSecond;
+    return now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(left));
+}
+
 /// Waits for something to do; false: there will be nothing any more.
 bool ViewModel::next(Job& job) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return quit_ || reload_ || (loaded_ && finished_ != changes_); });
-    // What has its coarse picture waits for the camera to move on, or to rest.
-    changed_.wait_until(lock, moved_ + kRest,
-                        [&] { return quit_ || reload_ || coarse_ != changes_; });
+    changed_.wait(lock, [&] {
+        return quit_ || reload_ || isPlaying() || (loaded_ && finished_ != changes_);
+    });
+    if (isPlaying()) {
+        const int last = state_.frame;
+        const auto due = advance();
+        if (state_.frame == last && coarse_ == changes_) {
+            changed_.wait_until(
+                lock, due, [&] { return quit_ || reload_ || coarse_ != changes_ || !isPlaying(); });
+            if (isPlaying()) advance();
+        }
+    } else
+        // What has its coarse picture waits for the camera to move on, or to rest.
+        changed_.wait_until(lock, moved_ + kRest,
+                            [&] { return quit_ || reload_ || coarse_ != changes_; });
     if (quit_) return false;
-    job = {changes_, reload_, isMoving(), state_};
+    job = {changes_, std::exchange(reload_, false), isMoving() || isPlaying(), file_, state_};
     if (job.moving) coarse_ = changes_;
-    reload_ = false;
     return true;
 }
 
@@ -140,9 +148,8 @@ void ViewModel::work() {
     while (next(job)) {
         std::string problem;
         try {
-            if (!executor_) executor_ = makeExecutor(options_);
             if (job.load)
-                load();
+                load(job);
             else
                 draw(job);
             continue;
@@ -151,132 +158,79 @@ void ViewModel::work() {
         } catch (const std::exception& error) {
             problem = error.what();
         }
+        if (!job.load) drawer_.forget();
         // What failed is not tried again before something changes.
-        backend_.reset();
         const std::lock_guard lock(mutex_);
         problem_ = problem.substr(0, problem.find('\n'));
+        if (!job.load) state_.playing = false;
         if (!job.load || !loaded_) finished_ = job.change;
     }
-    backend_.reset(); // on the thread that made it
+    drawer_.forget(); // on the thread that made it
 }
 
-void ViewModel::load() {
-    Input input = openInput(options_, *executor_);
-    input_ = std::move(input);
-    backend_.reset(); // reads its shaders again
-    const std::lock_guard lock(mutex_);
-    extent_ = input_.precision.diagonal;
-    name_ = input_.scene.name;
-    origin_ = input_.scene.origin;
-    finished_ = changes_++; // so that it is drawn
-    if (loaded_) return;
-    loaded_ = true;
-    state_.camera = input_.scene.camera;
-    state_.settings = input_.settings;
-    state_.backend = options_.backend;
-    const float radius = state_.camera.apertureRadius;
-    state_.lensRadius = radius > 0.0f ? radius : 0.005f * (float) extent_;
-}
-
-void ViewModel::draw(const Job& job) {
-    if (!backend_ || backendKind_ != job.state.backend) {
-        backend_.reset();
-        backend_ = makeBackend(job.state.backend, options_, *executor_);
-        backendKind_ = job.state.backend;
+void ViewModel::load(const Job& job) {
+    CommonOptions options = options_;
+    const bool isOther = options.scene != job.file;
+    if (isOther) { // what was said of the first scene is not of this one
+        options.scene = job.file;
+        options.camera.reset(), options.eye.reset(), options.target.reset();
+        options.up.reset(), options.verticalFov.reset(), options.frame.reset();
     }
-    input_.scene.camera = job.state.camera;
-    if (job.state.shown->of != PreviewKind::Of::image || job.state.ray)
-        drawBuffer(job);
-    else if (!job.moving)
-        drawImage(job, job.state.settings);
-    else {
-        RenderSettings settings = job.state.settings;
-        const double side = std::sqrt(pixelShare_);
-        settings.grid.width = std::max(1, (int) std::lround(settings.grid.width * side));
-        settings.grid.height = std::max(1, (int) std::lround(settings.grid.height * side));
-        const auto start = Clock::now();
-        drawImage(job, settings);
-        const double ms = Milliseconds(Clock::now() - start).count();
-        // Part of the time does not depend on the pixels, so that the share comes near by steps.
-        pixelShare_ *= std::clamp(kFrameMs / ms, 0.5, 1.5);
-        pixelShare_ = std::clamp(pixelShare_, kLeastPixelShare, 1.0);
+    try {
+        drawer_.open(options);
+    } catch (...) {
+        const std::lock_guard lock(mutex_);
+        if (loaded_) file_ = options_.scene;
+        throw;
     }
+    options_ = options;
+    {
+        const std::lock_guard lock(mutex_);
+        const Input& input = drawer_.input();
+        facts_ = {job.file,
+                  input.scene.name,
+                  input.precision.diagonal,
+                  input.scene.origin,
+                  input.scene.mesh.triangles.size(),
+                  input.scene.materials.size(),
+                  input.scene.textures.size(),
+                  input.scene.lights.size(),
+                  input.scene.animation.lastFrame(),
+                  input.scene.animation.fps,
+                  input.memory.scene};
+        finished_ = changes_++; // so that it is drawn
+        state_.frame = input.frame;
+        if (!loaded_ || isOther) {
+            const ViewState before = std::exchange(state_, drawer_.firstState());
+            if (loaded_) { // of the window, not of the scene
+                state_.settings.grid.width = before.settings.grid.width;
+                state_.settings.grid.height = before.settings.grid.height;
+                state_.backend = before.backend;
+                state_.threads = before.threads;
+                state_.progressive = before.progressive;
+                state_.shown = before.shown;
+            }
+        }
+        loaded_ = true;
+    }
+    drawer_.reloadShaders();
 }
 
-/// At rest, until the state changes; while the camera moves, one sample, whatever happens: or else
-/// nothing would be seen of a movement that does not pause.
-void ViewModel::drawImage(const Job& job, RenderSettings settings) {
-    settings.samples =
-        job.moving || !job.state.progressive ? 1 : options_.samples.value_or(kMostSamples);
-    ErrorEstimate error;
-    const auto start = Clock::now();
-    auto shown = start;
-    RenderHooks hooks;
-    if (!job.moving) hooks.stop = [&] { return isStale(job); };
-    const DisplayEncoding encode(input_.scene.toneMapping);
-    const auto finish = [&](Image image, int samples) {
-        ViewPicture picture;
-        picture.width = image.width, picture.height = image.height, picture.samples = samples;
-        picture.picture = Picture(image.width, image.height);
-        picture.picture.rgb = encode.bytes(image.pixels);
-        picture.image = std::move(image);
-        picture.error = error.relative();
-        picture.sampleMs = Milliseconds(Clock::now() - start).count() / samples;
-        return picture;
-    };
-    hooks.progress = [&](int done, int total) {
-        if (done == total) return;
-        Image image = meanImage(*backend_, settings.grid, done);
-        error.add(image);
-        const auto now = Clock::now();
-        if (done > kShownAtOnce && Milliseconds(now - shown).count() < kShowMs) return;
-        shown = now;
-        publish(job, finish(std::move(image), done));
-    };
-    RenderResult result = Renderer(input_.scene, settings, *backend_).render(hooks);
-    if (result.samples < settings.samples) return; // there is something new to draw
-    if (!job.moving) error.add(result.image);
-    ViewPicture picture = finish(std::move(result.image), result.samples);
-    picture.done = !job.moving;
-    picture.build = std::move(result.build), picture.passes = std::move(result.passes);
-    publish(job, std::move(picture));
-}
-
-void ViewModel::drawBuffer(const Job& job) {
-    PreviewRequest request;
-    request.kind = job.state.shown;
-    if (request.kind->of == PreviewKind::Of::overview) request.around = previewKind("entries");
-    if (job.state.ray && request.kind->of != PreviewKind::Of::light) {
-        const GridSettings& grid = job.state.settings.grid; // which may have shrunk since
-        request.path = PathRequest{{std::min((*job.state.ray)[0], grid.width - 1),
-                                    std::min((*job.state.ray)[1], grid.height - 1)},
-                                   {}};
-    }
-    RenderSettings settings = job.state.settings;
-    settings.samples = 1; // of the image below a ray, or amid the views
-    const auto start = Clock::now();
-    const auto stop = [&] { return isStale(job) && !job.moving; };
-    const PreviewPicture preview = drawPreview(input_.scene, settings, *backend_, request, stop);
-    if (stop()) return;
-    ViewPicture picture;
-    picture.picture = present(preview);
-    picture.width = settings.grid.width, picture.height = settings.grid.height;
-    picture.samples = 1;
-    picture.scale = preview.scale;
-    picture.done = !job.moving;
-    picture.sampleMs = Milliseconds(Clock::now() - start).count();
-    publish(job, std::move(picture));
+void ViewModel::draw(Job& job) {
+    drawer_.draw(
+        job.state, job.moving, [&] { return isStale(job); },
+        [&](ViewPicture picture) { publish(job, std::move(picture)); });
 }
 
 void ViewModel::publish(const Job& job, ViewPicture picture) {
     picture.change = job.change;
-    picture.bytes = totalBytes(backend_->memory());
-    picture.listEntries = backend_->listEntries();
-    picture.device = backend_->device();
     const std::lock_guard lock(mutex_);
     if (picture.build.empty() && picture_) // of the last whole frame
         picture.build = picture_->build, picture.passes = picture_->passes;
-    if (picture.done && changes_ == job.change) finished_ = job.change;
+    if (changes_ == job.change) {
+        state_.camera = job.state.camera; // which may move by itself
+        if (picture.done) finished_ = job.change;
+    }
     picture_ = std::make_shared<const ViewPicture>(std::move(picture));
 }
 

@@ -1,10 +1,6 @@
 #pragma once
 
-#include "app/cli/input.h"
-#include "app/viewer/view_state.h"
-#include "core/base/image.h"
-#include "core/frame/tracer.h"
-#include "core/preview/picture.h"
+#include "app/viewer/view_drawer.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -14,29 +10,14 @@
 #include <mutex>
 #include <string>
 #include <thread>
-#include <vector>
 
 namespace dirt {
 
-/// A picture of the view, and what it is of. Not changed once it is shown.
-struct ViewPicture {
-    Picture picture;                        ///< as a screen shows it
-    Image image;                            ///< its values, where it is the image
-    uint64_t change = 0;                    ///< the last change of the state that it has
-    int width = 0, height = 0, samples = 0; ///< of the image behind it
-    double error = 0.0;                     ///< relative, see ErrorEstimate
-    bool done = false;                      ///< no more samples will come
-    std::vector<PassTime> build, passes;    ///< of its last frame; passes: with those of the build
-    double sampleMs = 0.0;                  ///< from the beginning of the build, for each sample
-    uint64_t bytes = 0, listEntries = 0;    ///< of the backend's buffers
-    std::string device, scale;              ///< scale: what false colours stand for
-};
-
 /// The viewer without its window: a scene, the state that keys change, and a thread that draws what
-/// the state says. While the camera moves, pictures have as many pixels as can be drawn in a
-/// fifteenth of a second; at rest samples add up in all pixels, to the image that `dirt render`
-/// gives for as many, until the state changes. Functions may be called from any one thread, and do
-/// not wait for a picture.
+/// the state says. While the camera or the scene moves, pictures have as many pixels as can be
+/// drawn in a fifteenth of a second; at rest samples add up in all pixels, to the image that `dirt
+/// render` gives for as many, until the state changes. Functions may be called from any one thread,
+/// and do not wait for a picture.
 class ViewModel {
 public:
     /// Begins to load the scene of \p options, whose samples, where they are given, are the most.
@@ -53,19 +34,29 @@ public:
     void change(const std::function<void(ViewState&)>& edit, bool moving = false);
     /// How many changes there were; a picture says which was its last.
     uint64_t changes() const;
-    /// Reads the scene's file again. If that fails, the one that is there stays.
+    /// Reads the scene's file and the shaders again. What fails of it stays as it was.
     void reload();
+    /// Loads another scene, by a camera of its own, with what was chosen for the window kept. If
+    /// that fails, the one that is there stays.
+    void open(const std::string& file);
 
     /// The newest picture; null before the first.
     std::shared_ptr<const ViewPicture> picture() const;
     /// What went wrong last; empty: nothing since the last change.
     std::string problem() const;
-    /// The length of the diagonal of the scene's box; 0 before it is there.
-    double extent() const;
-    const CommonOptions& options() const { return options_; }
-    std::string sceneName() const;
-    /// Of the scene, in the coordinates of its files.
-    glm::dvec3 origin() const;
+
+    /// What is known of the scene.
+    struct Facts {
+        std::string file;       ///< that is there, or is to be loaded
+        std::string name;       ///< empty before it is there, as all that follows
+        double extent = 0.0;    ///< the length of the diagonal of its box
+        glm::dvec3 origin{0.0}; ///< of its coordinates, in those of its files
+        size_t triangles = 0, materials = 0, textures = 0, lights = 0;
+        int lastFrame = 0; ///< 0: nothing moves
+        double framesPerSecond = 0.0;
+        uint64_t bytes = 0; ///< that it takes
+    };
+    Facts facts() const;
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -73,33 +64,29 @@ private:
 
     void work();
     bool next(Job& job);
-    void load();
-    void draw(const Job& job);
-    void drawImage(const Job& job, RenderSettings settings);
-    void drawBuffer(const Job& job);
+    void load(const Job& job);
+    void draw(Job& job);
     void publish(const Job& job, ViewPicture picture);
     bool isStale(const Job& job) const;
     bool isMoving() const;
+    bool isPlaying() const;
+    Clock::time_point advance();
 
-    const CommonOptions options_;
+    CommonOptions options_;    ///< of the thread alone, as is drawer_
     mutable std::mutex mutex_; ///< of what follows, up to the thread's own
     std::condition_variable changed_;
     ViewState state_;
+    Facts facts_;
     bool loaded_ = false, reload_ = true, quit_ = false;
+    std::string file_;                    ///< to be loaded
     uint64_t changes_ = 0, finished_ = 0; ///< the change whose picture has all its samples
     uint64_t coarse_ = 0;                 ///< and the last that was drawn while the camera moved
-    Clock::time_point moved_{};
+    Clock::time_point moved_{}, played_{};
+    double place_ = 0.0; ///< in the animation, frames
     std::shared_ptr<const ViewPicture> picture_;
-    std::string problem_, name_;
-    double extent_ = 0.0;
-    glm::dvec3 origin_{0.0};
+    std::string problem_;
 
-    // Of the thread alone.
-    Input input_;
-    std::unique_ptr<Executor> executor_;
-    std::unique_ptr<Backend> backend_;
-    BackendKind backendKind_{};
-    double pixelShare_ = 1.0 / 16; ///< of the pixels at rest, while the camera moves
+    ViewDrawer drawer_;
     std::thread thread_;
 };
 

@@ -1,14 +1,21 @@
 #include "app/viewer/viewer.h"
 
 #include "app/cli/again.h"
+#include "app/viewer/inspect.h"
 #include "core/io/image.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+
+#include <glm/geometric.hpp>
 
 namespace dirt {
 
 namespace {
+
+/// Of the plot.
+constexpr size_t kFramesKept = 120;
 
 /// NAME-view.png, or NAME-view-2.png and so on: nothing is written over.
 std::string freeName(const std::string& scene) {
@@ -20,7 +27,48 @@ std::string freeName(const std::string& scene) {
     return stem;
 }
 
+/// The numbers of a buffer as an image, a pixel for each element; of views, as they stand in the
+/// picture. Of an overview, which has several, those of its image.
+Image imageOf(const std::vector<PictureValues>& parts) {
+    Image image;
+    const bool isSheet = parts.front().times == parts.back().times;
+    const size_t first = isSheet ? 0 : parts.size() - 1;
+    const int times = parts.back().times;
+    const glm::ivec2 corner = isSheet
+                                  ? glm::ivec2(0) // of all of them together
+                                  : glm::ivec2(parts.back().pixels.left, parts.back().pixels.top);
+    for (size_t i = first; i < parts.size(); ++i) {
+        image.width = std::max(image.width, (parts[i].pixels.right() - corner.x) / times);
+        image.height = std::max(image.height, (parts[i].pixels.bottom() - corner.y) / times);
+    }
+    image.pixels.resize((size_t) image.width * (size_t) image.height);
+    for (size_t i = first; i < parts.size(); ++i) {
+        const PictureValues& part = parts[i];
+        const int left = (part.pixels.left - corner.x) / times;
+        const int top = (part.pixels.top - corner.y) / times;
+        size_t from = 0;
+        for (int y = 0; y < part.rows(); ++y)
+            for (int x = 0; x < part.columns(); ++x, from += (size_t) part.channels) {
+                glm::vec3& pixel =
+                    image.pixels[(size_t) (top + y) * (size_t) image.width + (size_t) (left + x)];
+                for (int c = 0; c < 3; ++c)
+                    pixel[c] = (float) part.numbers[from + (size_t) (part.channels == 3 ? c : 0)];
+            }
+    }
+    return image;
+}
+
 } // namespace
+
+const PathStep* Viewer::stepOf(const ViewPicture& picture) const {
+    if (picture.path.empty()) return nullptr;
+    return &picture.path[std::min((size_t) step, picture.path.size() - 1)];
+}
+
+void Viewer::count(const ViewPicture& picture) {
+    if (frames.size() == kFramesKept) frames.erase(frames.begin());
+    frames.push_back((float) picture.sampleMs);
+}
 
 void Viewer::say(const std::string& line) {
     said = line;
@@ -30,14 +78,20 @@ void Viewer::say(const std::string& line) {
 void savePicture(Viewer& viewer) {
     const std::shared_ptr<const ViewPicture> shown = viewer.model.picture();
     if (!shown) return viewer.say("there is no picture yet");
-    const std::string stem = freeName(viewer.model.sceneName());
+    const std::string scene = viewer.model.facts().name;
+    const std::string stem = freeName(scene);
     try {
-        const ImageMetadata metadata{{"dirt:scene", viewer.model.sceneName()},
+        const ImageMetadata metadata{{"dirt:scene", scene},
                                      {"dirt:samples", std::to_string(shown->samples)}};
-        const Picture& picture = shown->picture;
+        Picture picture = shown->picture;
+        Canvas canvas(picture);
+        drawMarks(canvas, shown->marks, glm::dvec2(0.0), 1);
+        if (const PathStep* path = viewer.stepOf(*shown))
+            drawMarks(canvas, path->marks, glm::dvec2(0.0), 1);
         writePng(stem + ".png", picture.width, picture.height, picture.rgb, metadata);
-        if (!shown->image.pixels.empty()) writeExr(stem + ".exr", shown->image, metadata);
-        viewer.say("saved " + stem + ".png" + (shown->image.pixels.empty() ? "" : " and .exr"));
+        writeExr(stem + ".exr", shown->image.pixels.empty() ? imageOf(shown->values) : shown->image,
+                 metadata);
+        viewer.say("saved " + stem + ".png and .exr");
     } catch (const std::exception& error) { // a full disk ends nothing
         viewer.say(error.what());
     }
@@ -46,14 +100,29 @@ void savePicture(Viewer& viewer) {
 void logCamera(Viewer& viewer) {
     if (!viewer.model.loaded()) return viewer.say("there is no camera yet");
     const Camera camera = viewer.model.state().camera;
-    const glm::dvec3 origin = viewer.model.origin();
+    const glm::dvec3 origin = viewer.model.facts().origin;
+    const glm::dvec3 ahead = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
     viewer.say(cameraOptions(origin, camera).substr(1));
     std::fprintf(stderr,
                  "<camera name=\"view\" aperture=\"%.9g\"/>\n"
                  "<user name=\"default_user\" position=\"%s\" target=\"%s\" "
-                 "up=\"%.9g,%.9g,%.9g\"/>\n",
+                 "up=\"%.9g,%.9g,%.9g\"/> <!-- looks along %.9g,%.9g,%.9g -->\n",
                  camera.verticalFov, pointOption(origin, camera.eye).c_str(),
-                 pointOption(origin, camera.target).c_str(), camera.up.x, camera.up.y, camera.up.z);
+                 pointOption(origin, camera.target).c_str(), camera.up.x, camera.up.y, camera.up.z,
+                 ahead.x, ahead.y, ahead.z);
+}
+
+void clickPicture(Viewer& viewer, const ViewPicture& shown, int x, int y) {
+    const Inspection there = inspect(shown, x, y);
+    if (there.tile)
+        viewer.model.change([&](ViewState& s) {
+            s.tile = s.tile == there.tile ? std::nullopt : there.tile; // again: no longer
+        });
+    else if (there.place && viewer.model.state().ray) {
+        viewer.model.change([&](ViewState& s) { showRay(s, there.place->x, there.place->y); });
+        viewer.step = 0;
+    } else if (!there.text.empty())
+        viewer.say(there.text);
 }
 
 } // namespace dirt

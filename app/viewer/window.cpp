@@ -1,15 +1,22 @@
 #include "app/viewer/window.h"
 
+#include "app/viewer/draw_marks.h"
+#include "app/viewer/inspect.h"
 #include "app/viewer/keys.h"
 #include "app/viewer/overlay.h"
+#include "app/viewer/panel.h"
+#include "app/viewer/placement.h"
 #include "app/viewer/status_file.h"
 #include "core/base/error.h"
 #include "core/io/output_file.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <memory>
+
+#include <glm/common.hpp>
 
 #include <epoxy/gl.h>
 // After it, so that it brings no OpenGL of its own.
@@ -34,7 +41,8 @@ const std::map<int, int> kSpecialKeys{{GLFW_KEY_ESCAPE, kEscape},
                                       {GLFW_KEY_F1, kF1},
                                       {GLFW_KEY_F5, kF5},
                                       {GLFW_KEY_F6, kF6},
-                                      {GLFW_KEY_F8, kF8}};
+                                      {GLFW_KEY_F8, kF8},
+                                      {GLFW_KEY_TAB, kTab}};
 
 int keyOf(int glfwKey) {
     const auto special = kSpecialKeys.find(glfwKey);
@@ -85,7 +93,12 @@ public:
             if (action == GLFW_PRESS) of(window).press(keyOf(key));
         });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
-            if (button == GLFW_MOUSE_BUTTON_LEFT) of(window).button(action == GLFW_PRESS);
+            of(window).button(button, action == GLFW_PRESS);
+        });
+        glfwSetScrollCallback(window_,
+                              [](GLFWwindow* window, double, double up) { of(window).scroll(up); });
+        glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** files) {
+            if (count > 0) of(window).viewer_.model.open(files[0]);
         });
         glfwSetCursorPosCallback(
             window_, [](GLFWwindow* window, double x, double y) { of(window).cursor(x, y); });
@@ -120,12 +133,17 @@ public:
         followSize();
     }
 
+    /// \p shown stays alive until the next is shown.
     void show(const ViewPicture* shown) {
+        if (shown && shown != shown_) viewer_.count(*shown);
+        shown_ = shown;
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
         if (shown) drawPicture(*shown);
+        viewer_.under = shown ? lookUnder().text : "";
         drawOverlay(viewer_, shown, ImGui::GetIO().Framerate);
+        if (viewer_.panel) drawPanel(viewer_);
         ImGui::Render();
         int width = 0, height = 0;
         glfwGetFramebufferSize(window_, &width, &height);
@@ -147,35 +165,67 @@ private:
     }
 
     void press(int key) {
+        if (ImGui::GetIO().WantTextInput) return; // a number is being typed
         const KeyBinding* binding = keyBinding(key);
         if (!binding || !binding->press) return;
         viewer_.said.clear();
         binding->press(viewer_);
     }
 
-    void button(bool down) {
-        glfwGetCursorPos(window_, &x_, &y_);
+    /// Whether the mouse is over something that the window shows above its picture.
+    static bool isOverWidgets() { return ImGui::GetIO().WantCaptureMouse; }
+
+    void button(int which, bool down) {
+        glfwGetCursorPos(window_, &cursor_.x, &cursor_.y);
+        if (down && isOverWidgets()) return;
+        if (which == GLFW_MOUSE_BUTTON_RIGHT) moving_ = down;
+        if (which != GLFW_MOUSE_BUTTON_LEFT) return;
         if (down) dragged_ = false;
         if (!down && dragging_ && !dragged_) click();
         dragging_ = down;
     }
 
     void cursor(double x, double y) {
-        if (dragging_) {
-            dragView(viewer_, x - x_, y - y_);
-            dragged_ = true;
-        }
-        x_ = x, y_ = y;
+        const glm::dvec2 by = glm::dvec2(x, y) - cursor_;
+        cursor_ = {x, y};
+        if (moving_ && shown_) moveZoom(viewer_.zoom, by, sizeOf(*shown_), room());
+        if (!dragging_) return;
+        dragView(viewer_, by.x, by.y);
+        dragged_ = true;
     }
 
-    /// The rays that are shown become those of the pixel below the cursor.
+    void scroll(double up) {
+        if (isOverWidgets() || !shown_) return;
+        zoomAt(viewer_.zoom, std::pow(1.25, up), cursor_, sizeOf(*shown_), room());
+    }
+
     void click() {
-        int width = 0, height = 0;
-        glfwGetWindowSize(window_, &width, &height);
-        if (width < 1 || height < 1) return;
-        const double x = x_ / width, y = y_ / height;
-        if (viewer_.model.state().ray)
-            viewer_.model.change([&](ViewState& s) { showRay(s, x, y); });
+        viewer_.said.clear();
+        const glm::ivec2 pixel = pixelUnder();
+        if (shown_) clickPicture(viewer_, *shown_, pixel.x, pixel.y);
+    }
+
+    Inspection lookUnder() const {
+        if (isOverWidgets() || !glfwGetWindowAttrib(window_, GLFW_HOVERED)) return {};
+        const glm::ivec2 pixel = pixelUnder();
+        return inspect(*shown_, pixel.x, pixel.y);
+    }
+
+    /// Of the picture, below the cursor; maybe none that it has.
+    glm::ivec2 pixelUnder() const {
+        if (!shown_) return glm::ivec2(-1);
+        return glm::ivec2(
+            glm::floor(place(sizeOf(*shown_), room(), viewer_.zoom).toPicture(cursor_)));
+    }
+
+    static glm::dvec2 sizeOf(const ViewPicture& shown) {
+        return {shown.picture.width, shown.picture.height};
+    }
+
+    glm::dvec2 room() const {
+        glm::ivec2 size(1);
+        glfwGetWindowSize(window_, &size.x, &size.y);
+        return glm::max(size, glm::ivec2(1)); // an icon has none
     }
 
     /// The picture at rest has as many pixels as the window.
@@ -190,7 +240,6 @@ private:
             true);
     }
 
-    /// As large as the window holds it without another shape.
     void drawPicture(const ViewPicture& shown) {
         const Picture& picture = shown.picture;
         if (&shown != uploaded_) {
@@ -203,21 +252,23 @@ private:
             glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
             uploaded_ = &shown;
         }
-        const ImVec2 room = ImGui::GetIO().DisplaySize;
-        const float scale =
-            std::min(room.x / (float) picture.width, room.y / (float) picture.height);
-        const ImVec2 size{(float) picture.width * scale, (float) picture.height * scale};
-        const ImVec2 corner{(room.x - size.x) / 2, (room.y - size.y) / 2};
-        ImGui::GetBackgroundDrawList()->AddImage(textureId(texture_), corner,
-                                                 {corner.x + size.x, corner.y + size.y});
+        const Placement placed = place(sizeOf(shown), room(), viewer_.zoom);
+        const glm::dvec2 end = placed.corner + sizeOf(shown) * placed.scale;
+        ImGui::GetBackgroundDrawList()->AddImage(textureId(texture_),
+                                                 {(float) placed.corner.x, (float) placed.corner.y},
+                                                 {(float) end.x, (float) end.y});
+        drawMarksOver(shown.marks, placed);
+        if (const PathStep* step = viewer_.stepOf(shown)) drawMarksOver(step->marks, placed);
     }
 
     Viewer& viewer_;
     GLFWwindow* window_ = nullptr;
     GLuint texture_ = 0;
     const ViewPicture* uploaded_ = nullptr;
-    bool dragging_ = false, dragged_ = false;
-    double x_ = 0.0, y_ = 0.0; ///< of the cursor, pixels
+    const ViewPicture* shown_ = nullptr;
+    bool dragging_ = false, dragged_ = false; ///< with the left button
+    bool moving_ = false;                     ///< with the right one
+    glm::dvec2 cursor_{0.0};                  ///< pixels
     Clock::time_point last_ = Clock::now();
 };
 

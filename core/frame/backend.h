@@ -59,6 +59,10 @@ public:
     /// The depths that the light sees, where requirements ask for its shadow map; once a frame.
     virtual void shadowMap() = 0;
 
+    /// Reads its shaders' files again, where it has some. If one of them does not compile it throws
+    /// std::runtime_error, with file and line, and goes on with those that it had.
+    virtual void reloadShaders() {}
+
     // The passes of a sample.
     virtual void beginSample() = 0;
     virtual void directVisibility(uint32_t sample) = 0;

@@ -20,6 +20,7 @@ struct Mark {
     Shape shape;
     glm::dvec2 from, to;
     Colour colour;
+    int view = -1; ///< in whose part of the picture it is; -1: there are no such parts
 };
 
 /// All marks of a picture, and what they mean.

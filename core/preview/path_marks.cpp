@@ -39,18 +39,18 @@ void markRay(std::vector<Mark>& marks, const DrawnRay& ray, const ViewTrail& tra
     const double cell = (double) (1 << level);
     for (const TileTrail& tile : trail.tiles) {
         const glm::dvec2 at = corner + glm::dvec2(tile.column >> level, tile.row >> level);
-        marks.push_back({Mark::Shape::box, at, at + 1.0, colour});
+        marks.push_back({Mark::Shape::box, at, at + 1.0, colour, (int) index});
     }
     const double end = std::min(ray.end(), trail.span.end);
     if (end < trail.span.begin) return;
     const auto image = imageOf(view, ray.trail.ray, trail.span.begin, end);
     for (size_t i = 1; i < image.size(); ++i)
-        marks.push_back(
-            {Mark::Shape::line, corner + image[i - 1] / cell, corner + image[i] / cell, colour});
+        marks.push_back({Mark::Shape::line, corner + image[i - 1] / cell, corner + image[i] / cell,
+                         colour, (int) index});
     if (!ray.hits() || end < ray.end()) return;
     const glm::dvec3 origin(ray.trail.ray.origin), direction(ray.trail.ray.direction);
     if (const auto hit = inTiles(view, origin + end * direction))
-        marks.push_back({Mark::Shape::cross, corner + *hit / cell, {}, kHitMark});
+        marks.push_back({Mark::Shape::cross, corner + *hit / cell, {}, kHitMark, (int) index});
 }
 
 /// The same in the image. The eye is the origin of the grid frame.
@@ -124,6 +124,24 @@ Marks marksInImage(const PathAccount& account, const PathRequest& path, const Ca
         markInImage(marks.marks, ray, camera.plane(), colour);
     });
     return marks;
+}
+
+std::vector<Mark> placeMarks(const std::vector<Mark>& marks, const Grid& grid,
+                             const std::vector<PictureValues>& parts) {
+    std::vector<Mark> placed;
+    for (Mark mark : marks)
+        for (const PictureValues& part : parts) {
+            if (part.view != mark.view) continue;
+            const Sheet sheet(grid, part.level);
+            const auto view = (size_t) part.view;
+            const glm::dvec2 before(sheet.left(view), sheet.top(view));
+            const glm::dvec2 corner(part.pixels.left, part.pixels.top);
+            mark.from = corner + (mark.from - before) * (double) part.times;
+            mark.to = corner + (mark.to - before) * (double) part.times;
+            placed.push_back(mark);
+            break;
+        }
+    return placed;
 }
 
 Marks marksOfPixel(const PathRequest& path) {

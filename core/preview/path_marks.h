@@ -10,6 +10,10 @@ namespace dirt {
 /// cells of a \p level: of one event, or of all. \p account must have a grid.
 Marks marksOfPath(const PathAccount& account, const PathRequest& path, int level);
 
+/// Those marks, in the pixels of another picture of the same cells: where its \p parts stand.
+std::vector<Mark> placeMarks(const std::vector<Mark>& marks, const Grid& grid,
+                             const std::vector<PictureValues>& parts);
+
 /// The same rays as the camera sees them, over a picture of the image's pixels: what of their way
 /// is before the eye.
 Marks marksInImage(const PathAccount& account, const PathRequest& path, const CameraRays& camera);

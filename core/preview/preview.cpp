@@ -95,18 +95,13 @@ private:
             grid_ = backend_.readGrid();
             return drawTiles(*grid_, request);
         }
-        if (request.account) return drawPath(request, *request.account);
         const auto [x, y] = request.path->pixel;
         const size_t pixel = (size_t) y * (size_t) settings_.grid.width + (size_t) x;
-        return drawPath(request,
-                        accountOf(scene_, settings_, backend_, pixel, request.sample, stop_));
-    }
-
-    PreviewPicture drawPath(const PreviewRequest& request, const PathAccount& account) {
+        PathAccount account = accountOf(scene_, settings_, backend_, pixel, request.sample, stop_);
         if (!account.grid) return {}; // it was stopped
         PreviewPicture picture = drawTiles(*account.grid, request);
         picture.marks = marksOfPath(account, *request.path, request.level);
-        grid_ = account.grid;
+        grid_ = std::move(account.grid);
         return picture;
     }
 

@@ -15,8 +15,6 @@
 
 namespace dirt {
 
-struct PathAccount;
-
 /// False colours from the least number to the largest; black is nothing.
 struct FalseColours {
     double low = 0.0, high = 0.0;
@@ -80,7 +78,6 @@ struct PreviewRequest {
     PointChoice point = PointChoice::next;
     const PreviewKind* around = nullptr; ///< of an overview: the buffer of the views
     std::optional<PathRequest> path;
-    const PathAccount* account = nullptr; ///< of its pixel and sample, where there is one already
 };
 
 /// Draws a buffer of one sample of the frame (the image: of all the settings' samples), as

@@ -143,5 +143,31 @@ TEST_F(PreviewValues, PathsAreMarkedInTheImage) {
     }
 }
 
+/// A path's tiles are marked where the picture has those tiles, among other pictures too.
+TEST_F(PreviewValues, MarksFollowTheirViews) {
+    const PathAccount account = accountOf(loaded_.scene, settings_, cpu_, 12 * 48 + 20, 0);
+    const std::vector<Mark> marks = marksOfPath(account, {{20, 12}}, 0).marks;
+    for (const char* name : {"entries", "overview"}) {
+        const std::vector<PictureValues> parts = presentedValues(draw(name));
+        const std::vector<Mark> placed = placeMarks(marks, *account.grid, parts);
+        ASSERT_EQ(placed.size(), marks.size());
+        std::vector<std::array<int, 3>> due, found;
+        for (const EventAccount& event : account.events)
+            for (const ExplainedRay& ray : raysOf(account, event))
+                for (const ViewTrail& view : ray.trail->views)
+                    for (const TileTrail& tile : view.tiles)
+                        due.push_back({view.span.view, tile.column, tile.row});
+        for (const Mark& mark : placed) {
+            if (mark.shape != Mark::Shape::box) continue;
+            const auto x = (int) mark.from.x, y = (int) mark.from.y;
+            for (const PictureValues& part : parts)
+                if (const auto at = part.elementAt(x, y))
+                    found.push_back({part.view, at->x, at->y});
+        }
+        EXPECT_GT(due.size(), 3u);
+        EXPECT_EQ(found, due) << name;
+    }
+}
+
 } // namespace
 } // namespace dirt

@@ -3,9 +3,11 @@
 #include "app/viewer/keys.h"
 
 #include "app/viewer/status_file.h"
+#include "core/io/image.h"
 #include "tests/support/temporary_folder.h"
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -25,7 +27,7 @@ class Keys : public testing::Test {
 protected:
     Keys() : before_(fs::current_path()) {
         fs::current_path(folder_.path()); // where F5 writes to
-        CommonOptions options;
+        CommonOptions& options = options_;
         options.scene = folder_.write("box.obj", "v -1 0 -4\nv 1 0 -4\nv 0 2 -4\nf 1 2 3\n");
         options.size = ImageSize{24, 16};
         options.samples = 1;
@@ -56,6 +58,7 @@ protected:
 
     test::TemporaryFolder folder_;
     fs::path before_;
+    CommonOptions options_;
     std::unique_ptr<ViewModel> model_;
     std::unique_ptr<Viewer> viewer_;
 };
@@ -138,19 +141,63 @@ TEST_F(Keys, TheLensKeepsItsWidthWhileItIsOff) {
     EXPECT_LT(press('X')["focal_distance"], focus);
 }
 
+TEST_F(Keys, StepAlongThePath) {
+    press('.');
+    EXPECT_NE(viewer_->said.find("no rays"), std::string::npos);
+    press('-');
+    const auto steps = [&] { return (int) model_->picture()->path.size(); };
+    for (int i = 0; i < 2000 && steps() == 0; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ASSERT_GT(steps(), 1); // all rays, and each
+    const uint64_t changes = model_->changes();
+    std::set<std::string> texts;
+    for (int i = 0; i < steps(); ++i) {
+        EXPECT_EQ(viewer_->step, i);
+        texts.insert(viewer_->stepOf(*model_->picture())->text);
+        press('.');
+    }
+    EXPECT_EQ((int) texts.size(), steps());
+    EXPECT_EQ(viewer_->step, 0);
+    press(',');
+    EXPECT_EQ(viewer_->step, steps() - 1);
+    EXPECT_EQ(model_->changes(), changes) << "steps draw nothing anew";
+    press('-');
+    EXPECT_EQ(viewer_->step, 0);
+}
+
 TEST_F(Keys, PicturesAreSavedBesideEarlierOnes) {
     press(kF5);
     EXPECT_TRUE(fs::exists("box-view.png") && fs::exists("box-view.exr"));
     press(kF5);
     EXPECT_TRUE(fs::exists("box-view-2.png") && fs::exists("box-view-2.exr"));
     EXPECT_EQ(viewer_->said, "saved box-view-2.png and .exr");
+    // Of a buffer the values, as the views stand in the picture.
+    model_->change([](ViewState& s) { s.shown = previewKind("near"); });
+    for (int i = 0; i < 2000 && model_->picture()->values.empty(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    press(kF5);
+    const Image saved = readImage("box-view-3.exr");
+    const std::vector<PictureValues>& values = model_->picture()->values;
+    ASSERT_EQ(values.size(), 6u);
+    EXPECT_EQ(saved.width, 3 * values[0].columns());
+    EXPECT_EQ(saved.height, 2 * values[0].rows());
+    size_t found = 0;
+    for (int y = 0; y < values[5].rows(); ++y) // -Z, which the triangle is in
+        for (int x = 0; x < values[5].columns(); ++x) {
+            const double number = values[5].numbers[(size_t) (y * values[5].columns() + x)];
+            const glm::vec3 pixel = saved.pixels[(size_t) ((values[5].rows() + y) * saved.width +
+                                                           2 * values[5].columns() + x)];
+            found += !std::isnan(number);
+            EXPECT_TRUE(std::isnan(number) ? std::isnan(pixel.x) : number == (double) pixel.x);
+        }
+    EXPECT_GT(found, 0u);
 }
 
 TEST_F(Keys, TheCameraIsLoggedAsOptionsThatGiveItAgain) {
     // Where float32 has a digit to spare, and far off, where the scene has an origin of its own.
     for (const char* corners : {"v -1 0 -4\nv 1 0 -4\nv 0 2 -4\n",
                                 "v 50000001 0 -4\nv 50000003 0 -4\nv 50000002 2 -4\n"}) {
-        CommonOptions options = model_->options();
+        CommonOptions options = options_;
         options.scene = folder_.write("there.obj", std::string(corners) + "f 1 2 3\n");
         ViewModel model(options);
         while (!model.picture()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
