@@ -1,5 +1,6 @@
 #include "app/viewer/view_model.h"
 
+#include "app/cli/log.h"
 #include "app/viewer/error_estimate.h"
 #include "core/base/error.h"
 #include "core/frame/renderer.h"
@@ -151,10 +152,12 @@ void ViewModel::work() {
         } catch (const std::exception& error) {
             problem = error.what();
         }
+        problem = problem.substr(0, problem.find('\n'));
+        logOnly(LogLevel::error, problem); // the window shows it
         // What failed is not tried again before something changes.
         backend_.reset();
         const std::lock_guard lock(mutex_);
-        problem_ = problem.substr(0, problem.find('\n'));
+        problem_ = problem;
         if (!job.load || !loaded_) finished_ = job.change;
     }
     backend_.reset(); // on the thread that made it

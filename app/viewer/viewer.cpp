@@ -1,6 +1,7 @@
 #include "app/viewer/viewer.h"
 
 #include "app/cli/again.h"
+#include "app/cli/log.h"
 #include "core/io/image.h"
 
 #include <cstdio>
@@ -24,7 +25,7 @@ std::string freeName(const std::string& scene) {
 
 void Viewer::say(const std::string& line) {
     said = line;
-    std::fprintf(stderr, "dirt: %s\n", line.c_str());
+    sayNote(line, false);
 }
 
 void savePicture(Viewer& viewer) {
@@ -39,7 +40,8 @@ void savePicture(Viewer& viewer) {
         if (!shown->image.pixels.empty()) writeExr(stem + ".exr", shown->image, metadata);
         viewer.say("saved " + stem + ".png" + (shown->image.pixels.empty() ? "" : " and .exr"));
     } catch (const std::exception& error) { // a full disk ends nothing
-        viewer.say(error.what());
+        viewer.said = error.what();
+        sayError(viewer.said);
     }
 }
 
@@ -48,12 +50,12 @@ void logCamera(Viewer& viewer) {
     const Camera camera = viewer.model.state().camera;
     const glm::dvec3 origin = viewer.model.origin();
     viewer.say(cameraOptions(origin, camera).substr(1));
-    std::fprintf(stderr,
-                 "<camera name=\"view\" aperture=\"%.9g\"/>\n"
-                 "<user name=\"default_user\" position=\"%s\" target=\"%s\" "
-                 "up=\"%.9g,%.9g,%.9g\"/>\n",
-                 camera.verticalFov, pointOption(origin, camera.eye).c_str(),
-                 pointOption(origin, camera.target).c_str(), camera.up.x, camera.up.y, camera.up.z);
+    char fov[32], up[96];
+    std::snprintf(fov, sizeof fov, "%.9g", camera.verticalFov);
+    std::snprintf(up, sizeof up, "%.9g,%.9g,%.9g", camera.up.x, camera.up.y, camera.up.z);
+    sayPlain("<camera name=\"view\" aperture=\"" + std::string(fov) +
+             "\"/>\n<user name=\"default_user\" position=\"" + pointOption(origin, camera.eye) +
+             "\" target=\"" + pointOption(origin, camera.target) + "\" up=\"" + up + "\"/>");
 }
 
 } // namespace dirt

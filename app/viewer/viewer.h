@@ -15,7 +15,7 @@ struct Viewer {
     bool quit = false;
     std::string said = {}; ///< by the last key that says something
 
-    /// Also on standard error, which is the log.
+    /// Also on standard error, and in the log.
     void say(const std::string& line);
 };
 

@@ -2,7 +2,9 @@
 
 #include "app/viewer/keys.h"
 
+#include "app/cli/log.h"
 #include "app/viewer/status_file.h"
+#include "tests/support/captured_stream.h"
 #include "tests/support/temporary_folder.h"
 
 #include <chrono>
@@ -144,6 +146,31 @@ TEST_F(Keys, PicturesAreSavedBesideEarlierOnes) {
     press(kF5);
     EXPECT_TRUE(fs::exists("box-view-2.png") && fs::exists("box-view-2.exr"));
     EXPECT_EQ(viewer_->said, "saved box-view-2.png and .exr");
+}
+
+TEST_F(Keys, WhatTheySayIsInTheLog) {
+    const char* argv[] = {"dirt", "view"};
+    const test::CapturedStream err(stderr);
+    const std::string file = (folder_.path() / "log").string();
+    Log log(2, argv);
+    log.open(file);
+    press(kF6);
+    const std::string camera = viewer_->said;
+    press(kF5);
+    // The window shows what the drawing thread finds.
+    folder_.write("box.obj", "f 1 2 3\n");
+    model_->reload();
+    while (model_->problem().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const std::string text = test::readFile(file);
+    size_t at = 0;
+    for (const std::string& line :
+         {"note: " + camera + "\n", std::string("note: <camera name=\"view\" aperture=\""),
+          std::string("note: <user name=\"default_user\" position=\""),
+          std::string("note: saved box-view.png and .exr\n"),
+          "error: " + model_->problem() + "\n"}) {
+        at = text.find("Z " + line, at);
+        ASSERT_NE(at, text.npos) << line << text;
+    }
 }
 
 TEST_F(Keys, TheCameraIsLoggedAsOptionsThatGiveItAgain) {
