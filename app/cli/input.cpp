@@ -64,6 +64,10 @@ void sayAll(const LoadedScene& loaded, bool quiet) {
     const bool more = loaded.ignored.size() > kNamesShown;
     if (!loaded.ignored.empty())
         sayNote("ignored: " + someOf(loaded.ignored) + (more ? ", see dirt info" : ""), quiet);
+    if (!loaded.caches.empty())
+        sayNote("wrote " + someOf(loaded.caches) +
+                    ", for faster loading from now on (--no-cache leaves none)",
+                quiet);
 }
 
 /// Says which options the scene leaves without effect.

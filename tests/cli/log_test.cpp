@@ -18,6 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// With a size that is worth a cache.
+std::string largeObj(std::string begin) {
+    begin += kTriangleObj;
+    while (begin.size() < (1 << 16)) begin += "# worth a cache\n";
+    return begin;
+}
+
 /// Of each command a line that fails after its options were read.
 TEST_F(LogTest, EveryCommandTakesIt) {
     const std::string none = folder_ / "none.obj", png = folder_ / "none.png";
@@ -182,6 +189,42 @@ TEST_F(LogTest, HasWhatASignalLeaves) {
         }
         EXPECT_TRUE(done);
     }
+}
+
+TEST_F(LogTest, CachesAreSaidWhereTheyAreLeft) {
+    const std::string obj = folder_.write("large.obj", largeObj("")), cache = obj + ".sbin";
+    const std::string text =
+        "wrote " + cache + ", for faster loading from now on (--no-cache leaves none)";
+    const std::string picture = folder_ / "a.png";
+    const Lines render{"render", obj, "--size", "8x8", "--spp", "1", "--json", "-o", picture};
+    const Outcome first = run(render);
+    EXPECT_EQ(first.err, "dirt: " + text + "\n" + picture + "\n");
+    EXPECT_EQ(first.out.front(), '{');
+    EXPECT_EQ(messages().front(), "note: " + text);
+    EXPECT_EQ(run(render).err, picture + "\n");
+    EXPECT_EQ(messages(), (Lines{"note: wrote " + picture}));
+    fs::remove(cache);
+    EXPECT_EQ(run(render, {"--no-cache"}).err, picture + "\n");
+    // info prints its report and no more.
+    for (const Lines& quiet :
+         {Lines{"check", obj, "--backends", "cpu,cpu", "--size", "8x8", "--quiet"},
+          {"info", obj}}) {
+        fs::remove(cache);
+        EXPECT_EQ(run(quiet).err, "");
+        EXPECT_EQ(messages().back(), "note: " + text);
+    }
+    // One line for all of a scene.
+    std::string scene = "<world>";
+    for (int i = 0; i < 7; ++i) {
+        const std::string name = std::to_string(i) + ".obj";
+        folder_.write(name, largeObj(""));
+        scene += "<object file='" + name + "'/>";
+    }
+    const Outcome many = run({"explain", folder_.write("many.scene", scene + "</world>"), "--size",
+                              "8x8", "--pixel", "0,0"});
+    EXPECT_NE(many.err.find("4.obj.sbin and 2 more, for faster loading"), many.err.npos)
+        << many.err;
+    EXPECT_EQ(messages().size(), 1u);
 }
 
 /// As the viewer's threads do.
