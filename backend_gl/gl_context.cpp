@@ -169,9 +169,11 @@ void GlContext::check() const {
     throw std::runtime_error(message);
 }
 
-void APIENTRY GlContext::onMessage(GLenum, GLenum type, GLuint, GLenum, GLsizei,
+void APIENTRY GlContext::onMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei,
                                    const GLchar* message, const void* context) {
     if (type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR) return;
+    // Program says it, with file and line; and those that it replaces may go on.
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
     const auto& self = *static_cast<const GlContext*>(context);
     if (self.error_.empty()) self.error_ = message;
 }

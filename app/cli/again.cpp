@@ -35,7 +35,8 @@ bool usesGl(const CommonOptions& options) {
     return anyBackend(options, [](BackendKind kind) { return kind == BackendKind::gl; });
 }
 
-/// \p text as a shell takes it for one word.
+} // namespace
+
 std::string shellWord(const std::string& text) {
     constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                         "0123456789_-+=.,:/@%";
@@ -44,8 +45,6 @@ std::string shellWord(const std::string& text) {
     for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
     return quoted + "'";
 }
-
-} // namespace
 
 std::string commandStart(const std::string& command, const std::string& scene) {
     const char* shaders = std::getenv("DIRT_SHADERS");

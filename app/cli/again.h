@@ -9,6 +9,9 @@ namespace dirt {
 // Parts of the command lines that show again what a command has shown: whatever shapes it, said or
 // not, to be pasted into a shell. Options come with a blank before each.
 
+/// \p text as a shell takes it for one word.
+std::string shellWord(const std::string& text);
+
 /// "dirt COMMAND SCENE", after what the environment changes ("DIRT_SHADERS=FOLDER ").
 std::string commandStart(const std::string& command, const std::string& scene);
 

@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
+#include "app/cli/log.h"
 #include "app/cli/option_values.h"
 #include "core/base/error.h"
 #include "core/io/input_files.h"
@@ -93,6 +94,7 @@ void plot(const std::string& file, const std::string& title, const std::string& 
         result.series.push_back(std::move(series));
     }
     writeFile(file, svgOf(result));
+    logWritten(file);
 }
 
 /// The exponents of build times over triangles, from 10^5 on: below, a frame's fixed costs rule.
@@ -155,7 +157,9 @@ void runScaling(const ScalingCommand& command) {
     for (const ScalingPoint& point : bySize) json["sizes"].push_back(jsonOf(point));
     json["build_exponent"] = ours;
     json["embree_build_exponent"] = theirs;
-    writeFile((directory / "scaling.json").string(), json.dump(2) + "\n");
+    const std::string file = (directory / "scaling.json").string();
+    writeFile(file, json.dump(2) + "\n");
+    logWritten(file);
     plot((directory / "scaling-triangles.svg").string(), "Time against triangles", "triangles",
          [](const ScalingPoint& p) { return (double) p.triangles; }, byTriangles);
     plot((directory / "scaling-size.svg").string(), "Time against pixels", "pixels",

@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
+#include "app/cli/log.h"
 #include "app/cli/option_values.h"
 #include "core/base/error.h"
 #include "core/io/input_files.h"
@@ -181,9 +182,12 @@ void runTradeoff(const TradeoffCommand& command) {
     json["reference_spp"] = options.referenceSamples;
     json["points"] = pointsJson(report);
     json["errors"] = errorsJson(report);
-    writeFile(stem + "-tradeoff.json", json.dump(2) + "\n");
-    writeFile(stem + "-tradeoff.csv", csvOf(json["points"]));
-    writeFile(stem + "-errors.csv", csvOf(json["errors"]));
+    for (const auto& [end, text] : {std::pair("-tradeoff.json", json.dump(2) + "\n"),
+                                    {"-tradeoff.csv", csvOf(json["points"])},
+                                    {"-errors.csv", csvOf(json["errors"])}}) {
+        writeFile(stem + end, text);
+        logWritten(stem + end);
+    }
     writePictures(stem, report, DisplayEncoding(input.scene.toneMapping));
     if (command.json)
         std::printf("%s\n", json.dump(2).c_str());

@@ -3,6 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
+#include "app/cli/log.h"
 #include "core/base/error.h"
 
 #include <algorithm>
@@ -134,9 +135,10 @@ Json meanJson(glm::dvec3 mean) {
 bool runCheck(const CheckOptions& options) {
     if (options.backends.size() != 2)
         throw InputError("--backends: two of cpu, gl, embree, as in cpu,gl");
-    if (options.backends[0] == options.backends[1] && !options.common.quiet)
-        std::fprintf(stderr, "dirt: warning: --backends %s,%s: a backend is compared with itself\n",
-                     options.backends[0].c_str(), options.backends[1].c_str());
+    if (options.backends[0] == options.backends[1])
+        sayWarning("--backends " + options.backends[0] + "," + options.backends[1] +
+                       ": a backend is compared with itself",
+                   options.common.quiet);
     CommonOptions common = options.common;
     for (const std::string& name : options.backends) common.backends.push_back(kindOf(name));
     const auto executor = makeExecutor(common);

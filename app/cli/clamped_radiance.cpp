@@ -1,5 +1,6 @@
 #include "app/cli/clamped_radiance.h"
 
+#include "app/cli/log.h"
 #include "shaders/shared/radiance.h"
 
 #include <cstdio>
@@ -7,13 +8,15 @@
 namespace dirt {
 
 void noteClamped(const RenderResult& result, bool quiet) {
-    if (quiet || result.counts.clamped == 0) return;
+    if (result.counts.clamped == 0) return;
     const uint64_t all = (uint64_t) result.image.pixels.size() * (uint64_t) result.samples;
-    std::fprintf(stderr,
-                 "dirt: warning: the radiance of %llu of %llu samples of pixels is beyond what is "
-                 "kept, and was clamped to %g\n",
-                 (unsigned long long) result.counts.clamped, (unsigned long long) all,
-                 (double) kMostRadiance);
+    char text[256];
+    std::snprintf(text, sizeof text,
+                  "the radiance of %llu of %llu samples of pixels is beyond what is kept, and was "
+                  "clamped to %g",
+                  (unsigned long long) result.counts.clamped, (unsigned long long) all,
+                  (double) kMostRadiance);
+    sayWarning(text, quiet);
 }
 
 } // namespace dirt

@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
+#include "app/cli/log.h"
 #include "app/cli/thread_limit.h"
 #include "core/base/error.h"
 #include "core/base/finite.h"
@@ -155,7 +156,10 @@ bool runCompare(const CompareOptions& options) {
     requireEqualSize(options, image, reference);
     const Comparison comparison = compare(image, reference, format);
 
-    if (!options.diff.empty()) writeDiff(options.diff, comparison, image, reference);
+    if (!options.diff.empty()) {
+        writeDiff(options.diff, comparison, image, reference);
+        logWritten(options.diff);
+    }
     if (options.json)
         std::printf("%s\n", comparisonReport(options, image, comparison, format).dump(2).c_str());
     else
@@ -163,12 +167,10 @@ bool runCompare(const CompareOptions& options) {
 
     const uint64_t leftOut = image.pixels.size() - comparison.differences.pixels;
     if (leftOut > 0)
-        std::fprintf(stderr,
-                     "dirt: %llu of %zu pixels are NaN or infinite and left out: %llu in %s, %llu "
-                     "in %s\n",
-                     (unsigned long long) leftOut, image.pixels.size(),
-                     (unsigned long long) comparison.nonFinite, options.image.c_str(),
-                     (unsigned long long) comparison.nonFiniteReference, options.reference.c_str());
+        sayError(std::to_string(leftOut) + " of " + std::to_string(image.pixels.size()) +
+                 " pixels are NaN or infinite and left out: " +
+                 std::to_string(comparison.nonFinite) + " in " + options.image + ", " +
+                 std::to_string(comparison.nonFiniteReference) + " in " + options.reference);
     return leftOut == 0;
 }
 

@@ -5,6 +5,7 @@
 #include "app/cli/dump_options.h"
 #include "app/cli/dump_pixel.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/log.h"
 #include "app/cli/memory_limit.h"
 #include "app/cli/option_values.h"
 #include "core/base/error.h"
@@ -89,14 +90,14 @@ void checkFolder(const std::string& folder, const Selection& wanted, int bounces
 }
 
 /// Of buffers that were asked for by name and that the frame does not have.
-void noteMissing(const std::vector<std::string>& asked, const std::vector<DumpedFile>& files) {
+void noteMissing(const std::vector<std::string>& asked, const std::vector<DumpedFile>& files,
+                 bool quiet) {
     std::string missing;
     for (const std::string& name : asked)
         if (std::none_of(files.begin(), files.end(),
                          [&](const DumpedFile& file) { return file.buffer == name; }))
             missing += (missing.empty() ? "" : ",") + name;
-    if (!missing.empty())
-        std::fprintf(stderr, "dirt: warning: --buffers %s: this frame has none\n", missing.c_str());
+    if (!missing.empty()) sayWarning("--buffers " + missing + ": this frame has none", quiet);
 }
 
 /// Throws InputError where the buffers, their copy and the largest file, twice while it is being
@@ -190,7 +191,7 @@ int runDump(const DumpOptions& options) {
     renderer.beginAt(options.sample);
     const RenderResult result = renderer.render(hooks);
     if (result.samples == 0) {
-        std::fprintf(stderr, "dirt: stopped; no manifest written\n");
+        sayError("stopped; no manifest written");
         return interruptStatus();
     }
 
@@ -200,10 +201,10 @@ int runDump(const DumpOptions& options) {
         "\n";
     writeFile(manifestOf(options.output), text);
     if (options.json) std::fputs(text.c_str(), stdout);
-    if (options.common.quiet) return 0;
-    noteMissing(options.buffers, dump.files());
+    noteMissing(options.buffers, dump.files(), options.common.quiet);
     for (const DumpedFile& file : dump.files())
-        std::fprintf(stderr, "%s/%s\n", options.output.c_str(), file.file.c_str());
+        sayWritten(options.output + "/" + file.file, options.common.quiet);
+    logWritten(manifestOf(options.output));
     return 0;
 }
 

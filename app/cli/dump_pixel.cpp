@@ -2,6 +2,7 @@
 
 #include "app/cli/dump_manifest.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/log.h"
 #include "app/cli/pixel_option.h"
 #include "core/base/error.h"
 #include "core/dump/channels.h"
@@ -134,7 +135,7 @@ int dumpPixel(const DumpOptions& options, const Input& input, Backend& backend,
     const std::string text = json.dump(2) + "\n";
     writeFile(options.output, text);
     if (options.json) std::fputs(text.c_str(), stdout);
-    if (!options.common.quiet) std::fprintf(stderr, "%s\n", options.output.c_str());
+    sayWritten(options.output, options.common.quiet);
     return 0;
 }
 

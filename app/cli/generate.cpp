@@ -1,5 +1,6 @@
 #include "scenes/generate/generate.h"
 #include "app/cli/commands.h"
+#include "app/cli/log.h"
 #include "app/cli/option_values.h"
 #include "core/base/error.h"
 
@@ -48,8 +49,10 @@ void runGenerate(const GenerateOptions& options) {
                       generator.minDetail, generator.maxDetail);
         throw InputError(text);
     }
-    for (const auto& file : generateScene(generator.name, detail, options.directory))
+    for (const auto& file : generateScene(generator.name, detail, options.directory)) {
         std::printf("%s\n", file.c_str());
+        logWritten(file);
+    }
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "app/cli/input.h"
 
+#include "app/cli/log.h"
 #include "app/cli/memory_limit.h"
 #include "app/cli/model_camera.h"
 #include "app/cli/option_scope.h"
@@ -23,7 +24,6 @@
 #endif
 
 #include <algorithm>
-#include <cstdio>
 
 namespace dirt {
 
@@ -32,8 +32,8 @@ namespace {
 /// Radiance around a bare model.
 constexpr float kModelBackground = 0.5f;
 
-/// Names without effect that are printed before every run; info prints them all.
-constexpr size_t kIgnoredShown = 5;
+/// Names of a kind that are said before every run.
+constexpr size_t kNamesShown = 5;
 
 RenderSettings settingsOf(const SceneSettings& file) {
     RenderSettings settings;
@@ -50,29 +50,34 @@ bool isModel(const std::filesystem::path& file) {
     return (file.extension().string()[1] | 0x20) != 's';
 }
 
-void print(const Warning& warning) {
-    std::fprintf(stderr, "dirt: warning: %s\n", warning.text.c_str());
+/// The first of \p names, and how many more there are.
+std::string someOf(const std::vector<std::string>& names) {
+    std::string text;
+    const size_t shown = std::min(names.size(), kNamesShown);
+    for (size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + names[i];
+    if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
+    return text;
 }
 
-void print(const LoadedScene& loaded) {
-    for (const Warning& warning : loaded.warnings) print(warning);
-    std::string names;
-    const size_t shown = std::min(loaded.ignored.size(), kIgnoredShown);
-    for (size_t i = 0; i < shown; ++i) names += (i == 0 ? "" : ", ") + loaded.ignored[i];
-    if (shown < loaded.ignored.size())
-        names += " and " + std::to_string(loaded.ignored.size() - shown) + " more, see dirt info";
-    if (!names.empty()) std::fprintf(stderr, "dirt: ignored: %s\n", names.c_str());
+void sayAll(const LoadedScene& loaded, bool quiet) {
+    for (const Warning& warning : loaded.warnings) sayWarning(warning.text, quiet);
+    const bool more = loaded.ignored.size() > kNamesShown;
+    if (!loaded.ignored.empty())
+        sayNote("ignored: " + someOf(loaded.ignored) + (more ? ", see dirt info" : ""), quiet);
+    if (!loaded.caches.empty())
+        sayNote("wrote " + someOf(loaded.caches) +
+                    ", for faster loading from now on (--no-cache leaves none)",
+                quiet);
 }
 
 /// Says which options the scene leaves without effect.
 void noteIdleOptions(const CommonOptions& options, const Scene& scene) {
-    if (options.quiet) return;
     if (options.frame && scene.animation.empty())
-        std::fprintf(stderr, "dirt: warning: --frame: the scene does not move\n");
+        sayWarning("--frame: the scene does not move", options.quiet);
     if (options.visibility && scene.lights.empty() && !isModel(options.scene))
-        std::fprintf(stderr, "dirt: warning: --visibility: the scene has no light\n");
+        sayWarning("--visibility: the scene has no light", options.quiet);
     else if (options.visibility && !scene.lights.empty() && !scene.lights.front().shadows)
-        std::fprintf(stderr, "dirt: warning: --visibility: the light casts no shadows\n");
+        sayWarning("--visibility: the light casts no shadows", options.quiet);
 }
 
 LoadedScene load(const CommonOptions& options, const MemoryBudget& memory, Executor& executor) {
@@ -144,9 +149,11 @@ void chooseStructure(Input& input, const CommonOptions& options, const SceneSett
 std::unique_ptr<Executor> makeExecutor(const CommonOptions& options) {
     auto pool = std::make_unique<ThreadPool>(options.threads);
     spareThreads();
-    if (pool->missing() > 0 && !options.quiet)
-        std::fprintf(stderr, "dirt: warning: %u of %u threads cannot be made: going on with %u\n",
-                     pool->missing(), pool->missing() + pool->threads(), pool->threads());
+    if (pool->missing() > 0)
+        sayWarning(std::to_string(pool->missing()) + " of " +
+                       std::to_string(pool->missing() + pool->threads()) +
+                       " threads cannot be made: going on with " + std::to_string(pool->threads()),
+                   options.quiet);
     return pool;
 }
 
@@ -179,7 +186,7 @@ Input openInput(const CommonOptions& options, Executor& executor) {
     refuseIdleOptions(options);
     const MemoryBudget memory(sceneMemory(options));
     LoadedScene loaded = load(options, memory, executor);
-    if (!options.quiet) print(loaded);
+    sayAll(loaded, options.quiet);
 
     Input input;
     input.settings = mergeSettings(settingsOf(loaded.settings), options);
@@ -227,7 +234,7 @@ void checkPrecision(Input& input, const CommonOptions& options, Executor& execut
         if (!input.precisionSaid.insert(found.cause).second) continue;
         const Warning warning{WarningKind::precision, atLine(options.scene, 0, place + found.text)};
         if (options.strict) throw InputError(warning.text);
-        if (!options.quiet) print(warning);
+        sayWarning(warning.text, options.quiet);
         input.warnings.push_back(warning);
     }
 }

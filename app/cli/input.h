@@ -55,9 +55,9 @@ std::unique_ptr<Backend> makeBackend(BackendKind kind, const CommonOptions& opti
 
 /// Loads SCENE of \p options and brings it to their frame. Tile and bins that neither options nor
 /// the scene's file give are the cost model's on the CPU. A scene without a camera gets one that
-/// shows its frame 0; a bare model also a background, and a light where it has none. Prints the
-/// warnings on standard error unless --quiet; those of precision are of the frame. Throws
-/// InputError.
+/// shows its frame 0; a bare model also a background, and a light where it has none. Says the
+/// warnings, of which those of precision are of the frame, what is ignored, and the caches that it
+/// left. Throws InputError.
 Input openInput(const CommonOptions& options, Executor& executor);
 
 /// Brings the scene of openInput to another frame. Throws InputError where that frame has no image:

@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/log.h"
 #include "app/cli/option_values.h"
 #include "app/cli/pixel_option.h"
 #include "core/base/error.h"
@@ -110,9 +111,7 @@ int runPreview(const PreviewOptions& options) {
               {"dirt:backend", backend->name()},
               {"dirt:show", kind.name},
               {"dirt:scale", preview.scale}});
-    if (!options.common.quiet)
-        std::fprintf(stderr, "%s: %s, %s\n", options.output.c_str(), kind.name,
-                     preview.scale.c_str());
+    sayWritten(options.output + ": " + kind.name + ", " + preview.scale, options.common.quiet);
     return 0;
 }
 

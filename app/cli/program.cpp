@@ -1,16 +1,18 @@
 #include "app/cli/program.h"
 
 #include "app/cli/commands.h"
+#include "app/cli/log.h"
 #include "core/base/error.h"
 #include "core/io/input_files.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <functional>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -24,18 +26,15 @@ constexpr int kBrokenPipe = 141;
 
 enum ExitStatus { kDone = 0, kBadInput = 2, kMissingCapability = 3 };
 
-/// Prints the one line that explains a status of 2 or 3.
-int fail(ExitStatus status, const std::string& message) {
-    const size_t length = std::min(message.find('\n'), message.size());
-    std::fprintf(stderr, "dirt: %.*s\n", (int) length, message.c_str());
+/// Says the one line that explains a status of 2 or 3.
+int fail(ExitStatus status, std::string_view message) {
+    sayError(message.substr(0, message.find('\n')));
     return status;
 }
 
 /// The same without a text of its own, for which there may be no memory either.
 int failForMemory() {
-    std::fputs(
-        "dirt: out of memory: a smaller --size, fewer --bins or a larger --tile needs less\n",
-        stderr);
+    sayError("out of memory: a smaller --size, fewer --bins or a larger --tile needs less");
     return kBadInput;
 }
 
@@ -54,8 +53,38 @@ std::string describe(const CLI::App& program, const CLI::ParseError& error) {
     return is(CLI::ExitCodes::RequiredError) ? text + help : text;
 }
 
-int run(int argc, const char* const* argv) {
+/// Gives --log to \p app, or to its commands where it has some. The file is opened as soon as its
+/// name is read, so that what is wrong with the other options is in it.
+void addLog(CLI::App& app, const std::function<void(const std::string&)>& open) {
+    const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+    for (CLI::App* command : commands) addLog(*command, open);
+    if (!commands.empty()) return;
+    app.add_option_function<std::string>(
+           "--log", open,
+           "also write what is said on standard error, quiet or not, to FILE, with time and level; "
+           "an earlier log is replaced, any other file refused")
+        ->type_name("FILE")
+        ->trigger_on_parse();
+}
+
+/// At its end, a log that the next run would read as an input goes.
+class LogSpares {
+public:
+    LogSpares(InputFiles& inputs, Log& log) : inputs_(inputs), log_(log) {}
+    ~LogSpares() {
+        if (inputs_.readsLog()) log_.discard();
+    }
+    LogSpares(const LogSpares&) = delete;
+    LogSpares& operator=(const LogSpares&) = delete;
+
+private:
+    InputFiles& inputs_;
+    Log& log_;
+};
+
+int run(int argc, const char* const* argv, Log& log) {
     InputFiles inputs; // from here on none is written over
+    const LogSpares spares(inputs, log);
     CLI::App program("Deferred Image-based Ray Tracing: the reference implementation", "dirt");
     program.set_version_flag("--version", "dirt " DIRT_VERSION);
     program.require_subcommand(0, 1);
@@ -75,6 +104,10 @@ int run(int argc, const char* const* argv) {
     addView(root, status);
     addReplay(root, status);
     addGenerate(root, status);
+    addLog(program, [&](const std::string& file) {
+        log.open(file);
+        inputs.keepLog(file);
+    });
 
     try {
         program.parse(argc, argv);
@@ -96,9 +129,9 @@ int run(int argc, const char* const* argv) {
 }
 
 /// Also where memory is out before there are options, or while something else is being said.
-int runWithinMemory(int argc, const char* const* argv) {
+int runWithinMemory(int argc, const char* const* argv, Log& log) {
     try {
-        return run(argc, argv);
+        return run(argc, argv, log);
     } catch (const std::bad_alloc&) {
         return failForMemory();
     }
@@ -107,9 +140,10 @@ int runWithinMemory(int argc, const char* const* argv) {
 } // namespace
 
 int runProgram(int argc, const char* const* argv) {
+    Log log(argc, argv);
     std::clearerr(stdout);
     errno = 0;
-    const int status = runWithinMemory(argc, argv);
+    const int status = runWithinMemory(argc, argv, log);
     // A full disk may show only now.
     const bool flushed = std::fflush(stdout) == 0;
     if (!flushed && errno == EPIPE) return kBrokenPipe; // whoever read it has what he wanted

@@ -4,6 +4,7 @@
 #include "app/cli/input.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/json_report.h"
+#include "app/cli/log.h"
 #include "app/cli/option_values.h"
 #include "app/cli/progress_bar.h"
 #include "core/aov/aovs.h"
@@ -107,9 +108,8 @@ public:
         checkAovs();
         const FrameRange frames = options_.frames.value_or(FrameRange{input_.frame, input_.frame});
         checkFrames(frames);
-        if (options_.frames && input_.scene.animation.empty() && !common_.quiet)
-            std::fprintf(stderr,
-                         "dirt: warning: --frames: the scene does not move: all are alike\n");
+        if (options_.frames && input_.scene.animation.empty())
+            sayWarning("--frames: the scene does not move: all are alike", common_.quiet);
         backend_ = makeBackend(common_, *executor_);
 
         catchInterrupts();
@@ -157,7 +157,9 @@ private:
 
     /// The scene's name may be that of a texture beside it.
     void checkPicture(const std::string& path) const {
-        if (options_.output.empty() && inputUseOf(path) != InputFiles::Use::none)
+        const InputFiles::Use use = inputUseOf(path);
+        const bool isNamed = use == InputFiles::Use::read || use == InputFiles::Use::wanted;
+        if (options_.output.empty() && isNamed)
             throw InputError(path + ": cannot write: " + common_.scene +
                              " uses a file of this name; give the picture another, as in -o " +
                              freeName(input_.scene.name));
@@ -200,17 +202,18 @@ private:
         const bool written = result.samples > 0 && !(stopped && options_.frames);
         if (stopped) bar.clear();
         if (stopped && options_.frames)
-            std::fprintf(stderr, "dirt: stopped in frame %d, %lld frames written\n", frame,
-                         (long long) place);
+            sayError("stopped in frame " + std::to_string(frame) + ", " + std::to_string(place) +
+                     " frames written");
         else if (stopped)
-            std::fprintf(stderr, "dirt: stopped after %d of %d samples%s\n", result.samples,
-                         input_.settings.samples, written ? "" : ", no image written");
+            sayError("stopped after " + std::to_string(result.samples) + " of " +
+                     std::to_string(input_.settings.samples) + " samples" +
+                     (written ? "" : ", no image written"));
         if (result.counts.clamped > 0) bar.clear();
         noteClamped(result, common_.quiet);
         if (written) {
             writeImage(outputOf(frame), input_, result, aovs);
             bar.clear();
-            if (!common_.quiet) std::fprintf(stderr, "%s\n", outputOf(frame).c_str());
+            sayWritten(outputOf(frame), common_.quiet);
         }
         if ((written || !options_.frames) && (options_.json || !options_.stats.empty()))
             reports_.push_back(report(input_, *backend_, *executor_, result));
@@ -221,7 +224,10 @@ private:
         if (!options_.json && options_.stats.empty()) return;
         const Json json = options_.frames ? Json{{"frames", reports_}} : reports_.front();
         const std::string text = json.dump(2) + "\n";
-        if (!options_.stats.empty()) writeFile(options_.stats, text);
+        if (!options_.stats.empty()) {
+            writeFile(options_.stats, text);
+            logWritten(options_.stats);
+        }
         if (options_.json) std::fputs(text.c_str(), stdout);
     }
 

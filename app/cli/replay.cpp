@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/json_report.h"
+#include "app/cli/log.h"
 #include "app/cli/option_values.h"
 #include "core/replay/against.h"
 
@@ -26,10 +27,6 @@ struct Opponent {
     std::string name;
     std::vector<CheckRow> rows;
 };
-
-void warn(const ReplayOptions& options, const std::string& text) {
-    if (!options.common.quiet) std::fprintf(stderr, "dirt: warning: %s\n", text.c_str());
-}
 
 std::string faultsText(const JudgedPass& pass) {
     std::string text;
@@ -141,16 +138,18 @@ bool runReplay(const ReplayOptions& options) {
     std::unique_ptr<Backend> backend;
     if (options.against) backend = makeBackend(*options.against, options.common, *executor);
     const ReplayInput input = readReplay(options.folder);
-    for (const std::string& text : input.ignored) warn(options, text + ": has no effect");
+    const bool quiet = options.common.quiet;
+    for (const std::string& text : input.ignored) sayWarning(text + ": has no effect", quiet);
     if (input.manifest.cutOuts && !(input.events.empty() && input.shadows.empty()))
-        warn(options, "the scene has cut-outs or surfaces of one side, which no dump holds: hits "
-                      "and shadow rays are not judged");
+        sayWarning("the scene has cut-outs or surfaces of one side, which no dump holds: hits and "
+                   "shadow rays are not judged",
+                   quiet);
     const std::vector<JudgedPass> passes = judgeDump(input, *executor);
     std::optional<Opponent> opponent;
     if (backend) opponent = Opponent{backend->name(), replayAgainst(input, *backend)};
 
     std::FILE* const table = options.json ? stderr : stdout;
-    if (!options.json || !options.common.quiet) {
+    if (!options.json || !quiet) {
         printPasses(table, passes);
         if (opponent) printOpponent(table, *opponent);
         std::fprintf(table, "%s\n", verdictText(passes).c_str());

@@ -1,6 +1,7 @@
 #include "app/cli/tradeoff_errors.h"
 
 #include "app/cli/image_metadata.h"
+#include "app/cli/log.h"
 #include "core/base/error.h"
 #include "core/io/output_file.h"
 #include "core/io/text_file.h"
@@ -45,6 +46,7 @@ Image KeptReferences::operator()(const RenderSettings& settings,
         checkWritable(file);
         Image image = trace();
         writeExr(file, image, metadata);
+        logWritten(file);
         return image;
     }
     Image image = readImage(file);

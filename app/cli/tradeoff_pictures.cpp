@@ -1,17 +1,29 @@
 #include "app/cli/tradeoff_pictures.h"
 
+#include "app/cli/log.h"
 #include "bench/plot.h"
 #include "core/compare/colour_map.h"
 #include "core/io/output_file.h"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <glm/geometric.hpp>
 
 namespace dirt {
 
 namespace {
+
+void writePlot(const std::string& file, const Plot& plot) {
+    writeFile(file, svgOf(plot));
+    logWritten(file);
+}
+
+void writePicture(const std::string& file, const Image& image, std::span<const uint8_t> rgb) {
+    writePng(file, image.width, image.height, rgb, {});
+    logWritten(file);
+}
 
 /// Whether the sweep's values are numbers, to be put on an axis.
 bool isNumeric(const Sweep& sweep) {
@@ -41,7 +53,7 @@ void plotTimes(const std::string& stem, const Sweep& sweep, const TradeoffReport
                      seriesOf("one sample", sweep, report, sample),
                      seriesOf("frame of one sample", sweep, report,
                               [&](const SettingsReport& s) { return build(s) + sample(s); })}};
-    writeFile(stem + "-time-" + sweep.name + ".svg", svgOf(plot));
+    writePlot(stem + "-time-" + sweep.name + ".svg", plot);
 }
 
 /// The name of the settings: the first point that has them.
@@ -69,7 +81,7 @@ void plotErrors(const std::string& stem, const TradeoffReport& report) {
                                            error.relativeMse);
         if (sameLength && !series.points.empty()) plot.series.push_back(std::move(series));
     }
-    if (!plot.series.empty()) writeFile(stem + "-error.svg", svgOf(plot));
+    if (!plot.series.empty()) writePlot(stem + "-error.svg", plot);
 }
 
 /// |image - reference| over the reference's brightness, from 0 to 1.
@@ -97,7 +109,7 @@ void writePictures(const std::string& stem, const TradeoffReport& report,
                 seriesOf(sweep.name, sweep, report,
                          [](const SettingsReport& s) { return (double) s.bytes * 1e-6; }));
     }
-    writeFile(stem + "-memory.svg", svgOf(memory));
+    writePlot(stem + "-memory.svg", memory);
     plotErrors(stem, report);
     for (size_t i = 0; i < report.images.size(); ++i) {
         const Image& image = report.images[i];
@@ -105,9 +117,8 @@ void writePictures(const std::string& stem, const TradeoffReport& report,
         std::string name = stem + "-" + settingName(i, report.sweeps);
         std::replace(name.begin() + (ptrdiff_t) stem.size(), name.end(), ' ', '-');
         std::replace(name.begin() + (ptrdiff_t) stem.size(), name.end(), '/', '-');
-        writePng(name + ".png", image.width, image.height, display.bytes(image.pixels), {});
-        writePng(name + "-error.png", image.width, image.height,
-                 relativeError(image, report.reference), {});
+        writePicture(name + ".png", image, display.bytes(image.pixels));
+        writePicture(name + "-error.png", image, relativeError(image, report.reference));
     }
 }
 

@@ -167,7 +167,7 @@ constexpr KeyBinding kBindings[] = {
     {'T', "T", "time of each pass", [](Viewer& v) { v.timers = !v.timers; }},
     {kF8, "F8", "figures over the picture", [](Viewer& v) { v.text = !v.text; }},
     {kF5, "F5", "save what is shown", savePicture},
-    {kF6, "F6", "write the camera to the log", logCamera},
+    {kF6, "F6", "write the camera to standard error and the log", logCamera},
     {'R', "R", "read scene and shaders again", [](Viewer& v) { v.model.reload(); }},
 };
 

@@ -1,5 +1,6 @@
 #include "app/viewer/view_model.h"
 
+#include "app/cli/log.h"
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -159,9 +160,11 @@ void ViewModel::work() {
             problem = error.what();
         }
         if (!job.load) drawer_.forget();
+        problem = problem.substr(0, problem.find('\n'));
+        logOnly(LogLevel::error, problem); // the window shows it
         // What failed is not tried again before something changes.
         const std::lock_guard lock(mutex_);
-        problem_ = problem.substr(0, problem.find('\n'));
+        problem_ = problem;
         if (!job.load) state_.playing = false;
         if (!job.load || !loaded_) finished_ = job.change;
     }

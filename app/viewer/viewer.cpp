@@ -1,6 +1,7 @@
 #include "app/viewer/viewer.h"
 
 #include "app/cli/again.h"
+#include "app/cli/log.h"
 #include "app/viewer/inspect.h"
 #include "core/io/image.h"
 
@@ -72,7 +73,7 @@ void Viewer::count(const ViewPicture& picture) {
 
 void Viewer::say(const std::string& line) {
     said = line;
-    std::fprintf(stderr, "dirt: %s\n", line.c_str());
+    sayNote(line, false);
 }
 
 void savePicture(Viewer& viewer) {
@@ -93,7 +94,8 @@ void savePicture(Viewer& viewer) {
                  metadata);
         viewer.say("saved " + stem + ".png and .exr");
     } catch (const std::exception& error) { // a full disk ends nothing
-        viewer.say(error.what());
+        viewer.said = error.what();
+        sayError(viewer.said);
     }
 }
 
@@ -103,13 +105,14 @@ void logCamera(Viewer& viewer) {
     const glm::dvec3 origin = viewer.model.facts().origin;
     const glm::dvec3 ahead = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
     viewer.say(cameraOptions(origin, camera).substr(1));
-    std::fprintf(stderr,
-                 "<camera name=\"view\" aperture=\"%.9g\"/>\n"
-                 "<user name=\"default_user\" position=\"%s\" target=\"%s\" "
-                 "up=\"%.9g,%.9g,%.9g\"/> <!-- looks along %.9g,%.9g,%.9g -->\n",
-                 camera.verticalFov, pointOption(origin, camera.eye).c_str(),
-                 pointOption(origin, camera.target).c_str(), camera.up.x, camera.up.y, camera.up.z,
-                 ahead.x, ahead.y, ahead.z);
+    char fov[32], up[96], along[96];
+    std::snprintf(fov, sizeof fov, "%.9g", camera.verticalFov);
+    std::snprintf(up, sizeof up, "%.9g,%.9g,%.9g", camera.up.x, camera.up.y, camera.up.z);
+    std::snprintf(along, sizeof along, "%.9g,%.9g,%.9g", ahead.x, ahead.y, ahead.z);
+    sayPlain("<camera name=\"view\" aperture=\"" + std::string(fov) +
+             "\"/>\n<user name=\"default_user\" position=\"" + pointOption(origin, camera.eye) +
+             "\" target=\"" + pointOption(origin, camera.target) + "\" up=\"" + up +
+             "\"/> <!-- looks along " + along + " -->");
 }
 
 void clickPicture(Viewer& viewer, const ViewPicture& shown, int x, int y) {

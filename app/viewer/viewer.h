@@ -22,7 +22,7 @@ struct Viewer {
     std::string said = {};          ///< by the last key that says something
     std::vector<float> frames = {}; ///< milliseconds of the last pictures' samples
 
-    /// Also on standard error, which is the log.
+    /// Also on standard error, and in the log.
     void say(const std::string& line);
     /// That is shown of a picture's path; null: it has none.
     const PathStep* stepOf(const ViewPicture& picture) const;

@@ -89,6 +89,8 @@ public:
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(1);
         glfwSetWindowUserPointer(window_, this);
+        // From here on by events: what the mouse has done since is in events that are yet to come.
+        glfwGetCursorPos(window_, &cursor_.x, &cursor_.y);
         glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
             if (action == GLFW_PRESS) of(window).press(keyOf(key));
         });
@@ -176,7 +178,6 @@ private:
     static bool isOverWidgets() { return ImGui::GetIO().WantCaptureMouse; }
 
     void button(int which, bool down) {
-        glfwGetCursorPos(window_, &cursor_.x, &cursor_.y);
         if (down && isOverWidgets()) return;
         if (which == GLFW_MOUSE_BUTTON_RIGHT) moving_ = down;
         if (which != GLFW_MOUSE_BUTTON_LEFT) return;

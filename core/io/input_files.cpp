@@ -1,5 +1,6 @@
 #include "core/io/input_files.h"
 
+#include "core/base/error.h"
 #include "core/io/text_file.h"
 
 #include <atomic>
@@ -33,7 +34,40 @@ InputFiles::~InputFiles() {
 
 void InputFiles::note(const fs::path& file) {
     const std::lock_guard lock(mutex_);
+    if (!log_.empty() && isLog(file)) {
+        readsLog_ = true;
+        throw InputError(log_.string() + ": cannot write: the input is read from this file");
+    }
     if (noted_.insert(file).second) fresh_.insert(file);
+}
+
+void InputFiles::keepLog(const fs::path& file) {
+    const std::lock_guard lock(mutex_);
+    struct stat status {};
+    if (stat(file.c_str(), &status) != 0) return;
+    log_ = file;
+    logIdentity_ = {status.st_dev, status.st_ino};
+    logName_ = wholeName(linkTarget(file));
+}
+
+bool InputFiles::readsLog() {
+    const std::lock_guard lock(mutex_);
+    return readsLog_;
+}
+
+/// By its identity, or by its name in another case, which findFile would take for it.
+bool InputFiles::isLog(const fs::path& file) {
+    struct stat status {};
+    if (stat(file.c_str(), &status) == 0)
+        return Identity(status.st_dev, status.st_ino) == logIdentity_;
+    return wholeName(file) == logName_;
+}
+
+/// In lower case.
+std::string InputFiles::wholeName(const fs::path& file) {
+    const auto [folder, isNew] = folders_.try_emplace(file.parent_path());
+    if (isNew) folder->second = resolvedFolder(folder->first);
+    return lowerCase((folder->second / file.filename()).string());
 }
 
 void InputFiles::index(const fs::path& file) {
@@ -42,9 +76,7 @@ void InputFiles::index(const fs::path& file) {
         there_.emplace(status.st_dev, status.st_ino);
         return;
     }
-    const auto [folder, isNew] = folders_.try_emplace(file.parent_path());
-    if (isNew) folder->second = resolvedFolder(folder->first);
-    missing_.insert(lowerCase((folder->second / file.filename()).string()));
+    missing_.insert(wholeName(file));
 }
 
 InputFiles::Use InputFiles::useOf(const fs::path& output) {
@@ -52,8 +84,11 @@ InputFiles::Use InputFiles::useOf(const fs::path& output) {
     for (const fs::path& file : fresh_) index(file);
     fresh_.clear();
     struct stat status {};
-    if (stat(output.c_str(), &status) == 0 && there_.contains({status.st_dev, status.st_ino}))
-        return Use::read;
+    if (stat(output.c_str(), &status) == 0) {
+        const Identity identity(status.st_dev, status.st_ino);
+        if (there_.contains(identity)) return Use::read;
+        if (!log_.empty() && identity == logIdentity_) return Use::log;
+    }
     if (missing_.empty()) return Use::none;
     const fs::path target = linkTarget(output);
     const fs::path whole = resolvedFolder(target.parent_path()) / target.filename();

@@ -207,6 +207,7 @@ LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
     loaded.scene.name = printable(file.stem().string());
     loaded.warnings = report.warnings();
     loaded.ignored = report.ignored();
+    loaded.caches = report.caches();
     return loaded;
 }
 

@@ -39,6 +39,7 @@ struct LoadedScene {
     std::optional<size_t> modelCamera;
     std::vector<Warning> warnings;
     std::vector<std::string> ignored;        ///< names of the files that have no effect, each once
+    std::vector<std::string> caches;         ///< of models, which this load has written
     std::vector<MaterialFile> materialFiles; ///< how the MTL files were taken
 };
 

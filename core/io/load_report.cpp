@@ -52,7 +52,12 @@ void LoadReport::ignore(const std::string& name) {
     addIgnored(printable(name));
 }
 
+void LoadReport::keptCache(const std::filesystem::path& file) {
+    caches_.push_back(printable(file.string()));
+}
+
 void LoadReport::append(const LoadReport& other) {
+    caches_.insert(caches_.end(), other.caches_.begin(), other.caches_.end());
     for (const Warning& warning : other.warnings_) add(warning);
     for (const std::string& text : other.ignored_) addIgnored(text);
 }

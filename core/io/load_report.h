@@ -90,12 +90,17 @@ public:
     /// Notes a name (element, attribute, key) that has no effect; each is kept once.
     void ignore(const std::string& name);
 
+    /// Notes a cache of a model that was written.
+    void keptCache(const std::filesystem::path& file);
+
     /// All that another report has, in its order.
     void append(const LoadReport& other);
 
     const std::vector<Warning>& warnings() const { return warnings_; }
     /// In the order of first appearance.
     const std::vector<std::string>& ignored() const { return ignored_; }
+    /// Printable names of the caches that were written.
+    const std::vector<std::string>& caches() const { return caches_; }
 
     /// A name as ignored() has it.
     void addIgnored(std::string text);
@@ -105,7 +110,7 @@ private:
 
     bool strict_;
     std::vector<Warning> warnings_;
-    std::vector<std::string> ignored_;
+    std::vector<std::string> ignored_, caches_;
     std::set<std::string> seenWarnings_, seenNames_;
 };
 

@@ -212,14 +212,15 @@ bool isForeign(const fs::path& place) {
 }
 
 /// In the first place that takes it; else not at all.
-void keepCache(const std::vector<fs::path>& places, const std::string& cache) {
+void keepCache(const std::vector<fs::path>& places, const std::string& cache, LoadReport& report) {
     for (const fs::path& place : places) {
         if (!isWritable(place.parent_path()) || isForeign(place)) continue;
         std::error_code error;
         if (&place != &places.front()) fs::create_directories(place.parent_path(), error);
         try {
             writeFile(place.string(), cache);
-            return noteInput(place);
+            noteInput(place);
+            return report.keptCache(place);
         } catch (const InputError&) { // a full disk, a folder of that name
         }
     }
@@ -323,7 +324,7 @@ ObjFile readObjCached(const fs::path& file, LoadReport& report, MemoryClaim& mem
         LoadReport own;
         ObjFile obj = parseObj(file, text, own, memory);
         read = {std::move(obj), own.ignored()};
-        keepCache(places, encodeCache(*read, source));
+        keepCache(places, encodeCache(*read, source), report);
     }
     report.warn(file, read->obj.faults);
     for (const std::string& name : read->ignored) report.addIgnored(name);

@@ -34,9 +34,9 @@ std::optional<ReadObj> decodeCache(std::span<const std::byte> cache,
                                    const std::filesystem::path& file);
 
 /// readObj through its cache: taken from there where one is sound and made from what the file holds
-/// now, and left there otherwise, under a temporary name until it is whole. A cache that cannot be
-/// read, made or kept is never an error. Small files, which are read as fast, have none.
-/// \p memory takes what the result needs.
+/// now, and left there otherwise, under a temporary name until it is whole, which \p report is
+/// told. A cache that cannot be read, made or kept is never an error. Small files, which are read
+/// as fast, have none. \p memory takes what the result needs.
 ObjFile readObjCached(const std::filesystem::path& file, LoadReport& report, MemoryClaim& memory);
 
 } // namespace dirt

@@ -103,6 +103,8 @@ void OutputFile::checkPlace() const {
         fail(path_, "the input is read from this file");
     case InputFiles::Use::wanted:
         fail(path_, "the input names this file, which is missing, and would be given it");
+    case InputFiles::Use::log:
+        fail(path_, "the log is written to this file");
     case InputFiles::Use::none:
         break;
     }

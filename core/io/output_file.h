@@ -11,7 +11,8 @@ namespace dirt {
 /// the system removes whatever ends the process, flushed to the disk, then takes its place. An old
 /// file's mode stays, and a symbolic link, whose target is written. Whatever fails throws
 /// InputError "path: why not", and leaves what was at the path before untouched. Refuses to replace
-/// what is not a regular file, is write-protected, or is an input of the run (see InputFiles).
+/// what is not a regular file, is write-protected, or is an input of the run or its log (see
+/// InputFiles).
 class OutputFile {
 public:
     /// What it is while it is written. Named: for file systems that know no unnamed files; what

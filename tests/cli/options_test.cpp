@@ -126,7 +126,7 @@ TEST(Options, HelpListsWhatACommandHonours) {
         // Which model has cameras is not the command's business; --devices is info's, and spoken
         // of.
         known.merge(Names{"--help", "--rays", "--kinds", "--json", "--camera", "--devices",
-                          "--extremes", "--only"});
+                          "--extremes", "--only", "--log"});
         for (size_t at = help.find("--"); at != std::string::npos; at = help.find("--", at + 2)) {
             if (help[at - 1] != ' ' && help[at - 1] != ',') continue;
             const size_t end = help.find_first_not_of("-abcdefghijklmnopqrstuvwxyz", at);

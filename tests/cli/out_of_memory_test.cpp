@@ -61,11 +61,12 @@ protected:
                    int64_t* calls) {
         if (!cached) std::filesystem::remove(folder_ / kCache);
         std::filesystem::remove(folder_ / "a.exr");
-        const std::string image = folder_ / "a.exr";
-        const char* const arguments[] = {"dirt",    "render", scene.c_str(), "--size",    "8x6",
-                                         "--spp",   "1",      "--bounces",   "2",         "--tile",
-                                         "4",       "--bins", "2",           "--threads", "3",
-                                         "--quiet", "-o",     image.c_str()};
+        std::filesystem::remove(folder_ / kLog);
+        const std::string image = folder_ / "a.exr", log = folder_ / kLog;
+        const char* const arguments[] = {
+            "dirt",      "render",  scene.c_str(), "--size",      "8x6",    "--spp",    "1",
+            "--bounces", "2",       "--tile",      "4",           "--bins", "2",        "--threads",
+            "3",         "--quiet", "-o",          image.c_str(), "--log",  log.c_str()};
         CapturedStream out(stdout), err(stderr);
         Outcome run;
         const int64_t made = withFailing(
@@ -98,10 +99,14 @@ protected:
                         run.err.find("a.exr: cannot write: ") != std::string::npos)
                 << run.err;
             EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
+            // Unless its name could not be read.
+            const std::string log = left.contains(kLog) ? readFile(folder_ / kLog) : "";
+            EXPECT_TRUE(log.empty() || log.ends_with(" error: " + run.err.substr(6))) << log;
         }
         // Whole or not there; nothing else.
         for (const std::string& name : left)
-            EXPECT_TRUE(before_.contains(name) || (name == "a.exr" && isRight()) || name == kCache)
+            EXPECT_TRUE(before_.contains(name) || (name == "a.exr" && isRight()) ||
+                        name == kCache || name == kLog)
                 << name;
         failures_ += run.status != 0;
     }
@@ -125,7 +130,7 @@ protected:
     bool isRight() const { return readImage(folder_ / "a.exr").pixels == expected_; }
 
     static constexpr size_t kLarge = 512; ///< bytes
-    static constexpr const char* kCache = "a.obj.sbin";
+    static constexpr const char *kCache = "a.obj.sbin", *kLog = "log";
     TemporaryFolder folder_;
     std::string scene_;
     std::vector<glm::vec3> expected_;

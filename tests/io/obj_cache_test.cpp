@@ -116,6 +116,12 @@ TEST_F(ObjCache, GivesTheSameScene) {
     EXPECT_EQ(folder_.names(), (std::set<std::string>{"a.mtl", "a.obj", "a.obj.sbin"}));
 }
 
+TEST_F(ObjCache, IsNamedByTheLoadThatLeavesIt) {
+    EXPECT_EQ(plain_.caches, (std::vector<std::string>{}));
+    EXPECT_EQ(cached().caches, (std::vector<std::string>{beside_}));
+    EXPECT_EQ(cached().caches, (std::vector<std::string>{}));
+}
+
 /// A cache that says something else than its file shows that it is what is read.
 TEST_F(ObjCache, IsWhatIsRead) {
     LoadReport report;

@@ -23,6 +23,8 @@ LOGS = ROOT / "build" / "nightly"
 DIRT = str(ROOT / "dirt")
 FUZZERS = ["cache", "gltf", "gltf_tree", "image", "manifest", "mtl", "obj", "replay",
            "scene", "texture"]
+# Also for the program that builds run to make the scenes.
+SANITIZERS = {"TSAN_OPTIONS": f"suppressions={ROOT}/tests/tsan.supp"}
 SCENES = pathlib.Path(os.environ.get("DIRT_SCENES", ROOT / "../shared/scenes"))
 
 
@@ -41,7 +43,8 @@ class Stage:
         """Returns whether the command ends with status 0."""
         self.log.write(f"$ {' '.join(map(str, command))}\n")
         process = subprocess.Popen([str(part) for part in command], cwd=ROOT,
-                                   env={**os.environ, **(env or {})}, stdin=subprocess.DEVNULL,
+                                   env={**os.environ, **SANITIZERS, **(env or {})},
+                                   stdin=subprocess.DEVNULL,
                                    stdout=output or self.log, stderr=self.log)
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)

@@ -2,8 +2,10 @@
 
 #include "app/viewer/keys.h"
 
+#include "app/cli/log.h"
 #include "app/viewer/status_file.h"
 #include "core/io/image.h"
+#include "tests/support/captured_stream.h"
 #include "tests/support/temporary_folder.h"
 
 #include <chrono>
@@ -191,6 +193,31 @@ TEST_F(Keys, PicturesAreSavedBesideEarlierOnes) {
             EXPECT_TRUE(std::isnan(number) ? std::isnan(pixel.x) : number == (double) pixel.x);
         }
     EXPECT_GT(found, 0u);
+}
+
+TEST_F(Keys, WhatTheySayIsInTheLog) {
+    const char* argv[] = {"dirt", "view"};
+    const test::CapturedStream err(stderr);
+    const std::string file = (folder_.path() / "log").string();
+    Log log(2, argv);
+    log.open(file);
+    press(kF6);
+    const std::string camera = viewer_->said;
+    press(kF5);
+    // The window shows what the drawing thread finds.
+    folder_.write("box.obj", "f 1 2 3\n");
+    model_->reload();
+    while (model_->problem().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const std::string text = test::readFile(file);
+    size_t at = 0;
+    for (const std::string& line :
+         {"note: " + camera + "\n", std::string("note: <camera name=\"view\" aperture=\""),
+          std::string("note: <user name=\"default_user\" position=\""),
+          std::string("note: saved box-view.png and .exr\n"),
+          "error: " + model_->problem() + "\n"}) {
+        at = text.find("Z " + line, at);
+        ASSERT_NE(at, text.npos) << line << text;
+    }
 }
 
 TEST_F(Keys, TheCameraIsLoggedAsOptionsThatGiveItAgain) {

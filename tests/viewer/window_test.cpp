@@ -346,7 +346,7 @@ TEST_F(WindowTest, ABrokenShaderIsSaidAndTheOldOneStays) {
     expectAfter("r", [](const json& status) {
         return status["problem"].get<std::string>().find("shade.comp:2") != std::string::npos;
     });
-    EXPECT_TRUE(changes("3")) << "more bounces, with what there is";
+    EXPECT_TRUE(changes("4")) << "with what there is";
     EXPECT_EQ(now()["problem"], "");
     std::ofstream(shaders / "shade.comp") << good;
     EXPECT_TRUE(changes("r"));
@@ -361,7 +361,7 @@ TEST_F(WindowTest, TakesThePicturesOfTheDocument) {
     TearDown();
     const bool isLarge = scene != nullptr;
     open(isLarge ? scene : scene_, {"--size", isLarge ? "1280x720" : "480x320", "--spp",
-                                    isLarge ? "64" : "2", "--tile", "16"});
+                                    isLarge ? "12" : "2", "--tile", "16"});
     if (IsSkipped() || HasFatalFailure()) return;
     const auto take = [&](const std::string& name) {
         ASSERT_TRUE(rests());
