@@ -49,6 +49,9 @@ int keyOf(int glfwKey) {
     return special != kSpecialKeys.end() ? special->second : glfwKey;
 }
 
+/// The window is drawn so often at least.
+constexpr std::chrono::milliseconds kLongestPause{200};
+
 /// The display, and what is opened on it, for as long as it lives.
 class Display {
 public:
@@ -92,8 +95,10 @@ public:
         // From here on by events: what the mouse has done since is in events that are yet to come.
         glfwGetCursorPos(window_, &cursor_.x, &cursor_.y);
         glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
+            of(window).wake();
             if (action == GLFW_PRESS) of(window).press(keyOf(key));
         });
+        glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window).wake(); });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
             of(window).button(button, action == GLFW_PRESS);
         });
@@ -135,8 +140,16 @@ public:
         followSize();
     }
 
+    /// Whether there is something new to show: what is drawn in vain takes time from the picture.
+    bool isDue(const ViewPicture* shown) {
+        const bool isNew = shown != shown_ || awake_ > 0 || Clock::now() - drawn_ > kLongestPause;
+        awake_ = std::max(awake_ - 1, 0);
+        return isNew;
+    }
+
     /// \p shown stays alive until the next is shown.
     void show(const ViewPicture* shown) {
+        drawn_ = Clock::now();
         if (shown && shown != shown_) viewer_.count(*shown);
         shown_ = shown;
         ImGui_ImplOpenGL3_NewFrame();
@@ -166,6 +179,9 @@ private:
         return false;
     }
 
+    /// Widgets take some frames to follow what happens.
+    void wake() { awake_ = 4; }
+
     void press(int key) {
         if (ImGui::GetIO().WantTextInput) return; // a number is being typed
         const KeyBinding* binding = keyBinding(key);
@@ -178,6 +194,7 @@ private:
     static bool isOverWidgets() { return ImGui::GetIO().WantCaptureMouse; }
 
     void button(int which, bool down) {
+        wake();
         if (down && isOverWidgets()) return;
         if (which == GLFW_MOUSE_BUTTON_RIGHT) moving_ = down;
         if (which != GLFW_MOUSE_BUTTON_LEFT) return;
@@ -187,6 +204,7 @@ private:
     }
 
     void cursor(double x, double y) {
+        wake();
         const glm::dvec2 by = glm::dvec2(x, y) - cursor_;
         cursor_ = {x, y};
         if (moving_ && shown_) moveZoom(viewer_.zoom, by, sizeOf(*shown_), room());
@@ -196,6 +214,7 @@ private:
     }
 
     void scroll(double up) {
+        wake();
         if (isOverWidgets() || !shown_) return;
         zoomAt(viewer_.zoom, std::pow(1.25, up), cursor_, sizeOf(*shown_), room());
     }
@@ -270,7 +289,8 @@ private:
     bool dragging_ = false, dragged_ = false; ///< with the left button
     bool moving_ = false;                     ///< with the right one
     glm::dvec2 cursor_{0.0};                  ///< pixels
-    Clock::time_point last_ = Clock::now();
+    Clock::time_point last_ = Clock::now(), drawn_{};
+    int awake_ = 4; ///< frames to draw, whatever there is
 };
 
 } // namespace
@@ -285,7 +305,9 @@ void runViewer(const ViewerOptions& options) {
     std::shared_ptr<const ViewPicture> shown; // kept for as long as the window's texture is of it
     while (window.open()) {
         window.takeEvents();
-        shown = model.picture();
+        std::shared_ptr<const ViewPicture> newest = model.picture();
+        if (!window.isDue(newest.get())) continue;
+        shown = std::move(newest);
         window.show(shown.get());
         if (!options.status.empty()) writeStatus(options.status, viewer, shown.get());
     }

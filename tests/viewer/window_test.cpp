@@ -361,7 +361,7 @@ TEST_F(WindowTest, TakesThePicturesOfTheDocument) {
     TearDown();
     const bool isLarge = scene != nullptr;
     open(isLarge ? scene : scene_, {"--size", isLarge ? "1280x720" : "480x320", "--spp",
-                                    isLarge ? "12" : "2", "--tile", "16"});
+                                    isLarge ? "8" : "2", "--tile", "16"});
     if (IsSkipped() || HasFatalFailure()) return;
     const auto take = [&](const std::string& name) {
         ASSERT_TRUE(rests());
