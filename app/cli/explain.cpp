@@ -118,7 +118,7 @@ int explainLists(const ExplainOptions& options, const Input& input, Backend& bac
     if (options.primitive)
         what = "primitive " + std::to_string(*options.primitive);
     else
-        what = tileText(grid, (*options.tile)[0], (*options.tile)[1], (*options.tile)[2]);
+        what = tileLine(grid, (*options.tile)[0], (*options.tile)[1], (*options.tile)[2]);
     if (options.image) {
         const auto [view, column, row] = *options.tile;
         const std::string title = what + " of " + input.scene.name + ", " + backend.name();

@@ -197,7 +197,7 @@ std::string rayLine(const ExplainedRay& ray) {
     return ray.kind + " ray: " + (ray.trail ? trailText(*ray.trail) : "no grid\n");
 }
 
-std::string tileText(const Grid& grid, int view, int column, int row) {
+std::string tileLine(const Grid& grid, int view, int column, int row) {
     const std::string text = format("tile (%d, %d) of view %d", column, row, view);
     const DepthBounds& bounds = grid.bounds(view, row * grid.views[(size_t) view].columns + column);
     if (bounds.empty()) return text + ", empty";

@@ -16,7 +16,7 @@ std::string rayText(const std::optional<Grid>& grid, const ExplainedRay& ray);
 /// Its first line alone: what it found, after how much work.
 std::string rayLine(const ExplainedRay& ray);
 /// "tile (3, 4) of view 1, depths 0.5 .. 2, 8 bins".
-std::string tileText(const Grid& grid, int view, int column, int row);
+std::string tileLine(const Grid& grid, int view, int column, int row);
 std::string entriesText(const Scene& scene, const Grid& grid,
                         const std::vector<TileEntry>& entries);
 

@@ -64,7 +64,8 @@ void addImageOptions(Command command, CommonOptions& o) {
             });
     addInteger(command, "--spp", 1, 1 << 24, "samples per pixel (default: 16)",
                [&o](int64_t n) { o.samples = (int) n; });
-    addInteger(command, "--bounces", 1, kMostBounces, "path length, 1: direct light only (default: 3)",
+    addInteger(command, "--bounces", 1, kMostBounces,
+               "path length, 1: direct light only (default: 3)",
                [&o](int64_t n) { o.bounces = (int) n; });
     addChoice(command, "--ray-type", {"default", "diffuse", "glossy", "specular", "visibility"},
               "what indirect rays take surfaces for; visibility: how open the surroundings are",

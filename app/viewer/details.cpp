@@ -41,7 +41,7 @@ std::string tileText(const Scene& scene, const Grid& grid, const FrameGeometry& 
     const std::vector<TileEntry> entries = entriesOfTile(grid, geometry, view, column, row);
     const auto wrong = std::count_if(entries.begin(), entries.end(),
                                      [](const TileEntry& entry) { return !entry.isRight(); });
-    return tileText(grid, view, column, row) + "\n" + std::to_string(entries.size()) +
+    return tileLine(grid, view, column, row) + "\n" + std::to_string(entries.size()) +
            " entries, " + std::to_string(wrong) + " wrong\n" + entriesText(scene, grid, entries);
 }
 

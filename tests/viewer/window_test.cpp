@@ -4,6 +4,7 @@
 #include "app/viewer/keys.h"
 #include "core/io/image.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/viewer/process.h"
 #include "tests/viewer/screen.h"
 
 #include <algorithm>
@@ -21,8 +22,6 @@
 #include <thread>
 #include <vector>
 
-#include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
@@ -37,34 +36,6 @@ constexpr const char* kBox = "v -2 0 -4\nv 2 0 -4\nv 2 0 1\nv -2 0 1\n"
                              "v -1 0 -3\nv 1 0 -3\nv 1 1.5 -3\nv -1 1.5 -3\n"
                              "f 1 4 3 2\nf 5 6 7 8\n";
 
-/// A program that ends with this.
-class Process {
-public:
-    explicit Process(const std::vector<std::string>& command, int output = -1) {
-        id_ = fork();
-        if (id_ != 0) return;
-        if (output >= 0) dup2(output, 3);
-        std::vector<char*> words;
-        for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-        words.push_back(nullptr);
-        execvp(words[0], words.data());
-        _exit(127);
-    }
-    ~Process() {
-        if (id_ > 0) kill(id_, SIGTERM), wait();
-    }
-    /// Its exit status.
-    int wait() {
-        int status = 0;
-        waitpid(id_, &status, 0);
-        id_ = 0;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-
-private:
-    pid_t id_ = 0;
-};
-
 class WindowTest : public testing::Test {
 protected:
     /// A display, and the viewer on it.
@@ -75,7 +46,7 @@ protected:
         int ends[2];
         ASSERT_EQ(pipe(ends), 0);
         const std::string folder = folder_.path().string();
-        display_ = std::make_unique<Process>(
+        display_ = std::make_unique<test::Process>(
             std::vector<std::string>{"Xvfb", "-displayfd", "3", "-screen", "0", "1300x800x24",
                                      "-nolisten", "tcp", "-fbdir", folder},
             ends[1]);
@@ -91,7 +62,7 @@ protected:
         std::vector<std::string> command{DIRT_PROGRAM, "view",       scene,    "--status",
                                          status_,      "--no-cache", "--quiet"};
         command.insert(command.end(), options.begin(), options.end());
-        viewer_ = std::make_unique<Process>(command);
+        viewer_ = std::make_unique<test::Process>(command);
         if (!comes([&] { return now().contains("picture"); })) {
             const int ended = viewer_->wait();
             if (ended == 3) GTEST_SKIP() << "this build has no window, or the display no OpenGL";
@@ -154,7 +125,7 @@ protected:
 
     test::TemporaryFolder folder_;
     std::string scene_, status_;
-    std::unique_ptr<Process> display_, viewer_;
+    std::unique_ptr<test::Process> display_, viewer_;
 };
 
 /// As xdotool calls a key.
