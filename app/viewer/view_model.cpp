@@ -29,6 +29,20 @@ constexpr int kMostSamples = 1 << 20;
 /// Coarser ones cannot be walked through.
 constexpr double kLeastPixelShare = 1.0 / 64;
 
+/// Ends a load that no one waits for any more.
+struct Abandoned {};
+
+/// As options and the scene's file have it.
+ViewState firstState(const Input& input, const CommonOptions& options) {
+    ViewState state;
+    state.camera = input.scene.camera;
+    state.settings = input.settings;
+    state.backend = options.backend;
+    const float radius = state.camera.apertureRadius;
+    state.lensRadius = radius > 0.0f ? radius : 0.005f * (float) input.precision.diagonal;
+    return state;
+}
+
 } // namespace
 
 /// A state to draw.
@@ -36,6 +50,7 @@ struct ViewModel::Job {
     uint64_t change = 0;
     bool load = false, moving = false;
     ViewState state;
+    std::function<bool()> stop{}; ///< of a scene that is not all there; else empty
 };
 
 ViewModel::ViewModel(const CommonOptions& options)
@@ -63,6 +78,11 @@ ViewState ViewModel::state() const {
 uint64_t ViewModel::changes() const {
     const std::lock_guard lock(mutex_);
     return changes_;
+}
+
+std::optional<LoadingProgress> ViewModel::loading() const {
+    const std::lock_guard lock(mutex_);
+    return loading_;
 }
 
 std::shared_ptr<const ViewPicture> ViewModel::picture() const {
@@ -106,6 +126,7 @@ void ViewModel::reload() {
     {
         const std::lock_guard lock(mutex_);
         reload_ = true;
+        loading_ = LoadingProgress{};
         ++changes_;
         problem_.clear();
     }
@@ -124,6 +145,7 @@ bool ViewModel::isStale(const Job& job) const {
 /// Waits for something to do; false: there will be nothing any more.
 bool ViewModel::next(Job& job) {
     std::unique_lock lock(mutex_);
+    if (!reload_) loading_.reset(); // it has come to its end, good or bad
     changed_.wait(lock, [&] { return quit_ || reload_ || (loaded_ && finished_ != changes_); });
     // What has its coarse picture waits for the camera to move on, or to rest.
     changed_.wait_until(lock, moved_ + kRest,
@@ -142,7 +164,7 @@ void ViewModel::work() {
         try {
             if (!executor_) executor_ = makeExecutor(options_);
             if (job.load)
-                load();
+                load(job);
             else
                 draw(job);
             continue;
@@ -160,8 +182,27 @@ void ViewModel::work() {
     backend_.reset(); // on the thread that made it
 }
 
-void ViewModel::load() {
-    Input input = openInput(options_, *executor_);
+/// Until there is a scene to look at, draws the parts that there are.
+void ViewModel::load(const Job& job) {
+    LoadingWatch watch;
+    watch.progress = [&](size_t done, size_t of) {
+        const std::lock_guard lock(mutex_);
+        if (quit_ || reload_) throw Abandoned();
+        loading_ = LoadingProgress{done, of};
+    };
+    if (!loaded())
+        watch.draw = [&](Input part, const std::function<bool()>& isOver) {
+            input_ = std::move(part);
+            const auto stop = [&] { return isOver() || isStale(job); };
+            draw({job.change, false, true, firstState(input_, options_), stop});
+            input_ = Input(); // all of it will need the memory
+        };
+    Input input;
+    try {
+        input = openWatched(options_, watch);
+    } catch (const Abandoned&) {
+        return;
+    }
     input_ = std::move(input);
     backend_.reset(); // reads its shaders again
     const std::lock_guard lock(mutex_);
@@ -171,11 +212,7 @@ void ViewModel::load() {
     finished_ = changes_++; // so that it is drawn
     if (loaded_) return;
     loaded_ = true;
-    state_.camera = input_.scene.camera;
-    state_.settings = input_.settings;
-    state_.backend = options_.backend;
-    const float radius = state_.camera.apertureRadius;
-    state_.lensRadius = radius > 0.0f ? radius : 0.005f * (float) extent_;
+    state_ = firstState(input_, options_);
 }
 
 void ViewModel::draw(const Job& job) {
@@ -213,6 +250,7 @@ void ViewModel::drawImage(const Job& job, RenderSettings settings) {
     auto shown = start;
     RenderHooks hooks;
     if (!job.moving) hooks.stop = [&] { return isStale(job); };
+    if (job.stop) hooks.stop = job.stop;
     const DisplayEncoding encode(input_.scene.toneMapping);
     const auto finish = [&](Image image, int samples) {
         ViewPicture picture;
@@ -270,6 +308,7 @@ void ViewModel::drawBuffer(const Job& job) {
 
 void ViewModel::publish(const Job& job, ViewPicture picture) {
     picture.change = job.change;
+    picture.loading = (bool) job.stop;
     picture.bytes = totalBytes(backend_->memory());
     picture.listEntries = backend_->listEntries();
     picture.device = backend_->device();

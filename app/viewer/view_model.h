@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/input.h"
+#include "app/viewer/scene_loading.h"
 #include "app/viewer/view_state.h"
 #include "core/base/image.h"
 #include "core/frame/tracer.h"
@@ -12,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -26,6 +28,7 @@ struct ViewPicture {
     int width = 0, height = 0, samples = 0; ///< of the image behind it
     double error = 0.0;                     ///< relative, see ErrorEstimate
     bool done = false;                      ///< no more samples will come
+    bool loading = false;                   ///< of a scene that was not all there
     std::vector<PassTime> build, passes;    ///< of its last frame; passes: with those of the build
     double sampleMs = 0.0;                  ///< from the beginning of the build, for each sample
     uint64_t bytes = 0, listEntries = 0;    ///< of the backend's buffers
@@ -35,7 +38,8 @@ struct ViewPicture {
 /// The viewer without its window: a scene, the state that keys change, and a thread that draws what
 /// the state says. While the camera moves, pictures have as many pixels as can be drawn in a
 /// fifteenth of a second; at rest samples add up in all pixels, to the image that `dirt render`
-/// gives for as many, until the state changes. Functions may be called from any one thread, and do
+/// gives for as many, until the state changes. The first time that a scene is loaded, pictures show
+/// the objects that are there already. Functions may be called from any one thread, and do
 /// not wait for a picture.
 class ViewModel {
 public:
@@ -53,8 +57,11 @@ public:
     void change(const std::function<void(ViewState&)>& edit, bool moving = false);
     /// How many changes there were; a picture says which was its last.
     uint64_t changes() const;
-    /// Reads the scene's file again. If that fails, the one that is there stays.
+    /// Reads the scene's file again; what is being read is given up after the file at hand. If that
+    /// fails, the one that is there stays.
     void reload();
+    /// How far the scene is that is being loaded; none: it is there, or could not be loaded.
+    std::optional<LoadingProgress> loading() const;
 
     /// The newest picture; null before the first.
     std::shared_ptr<const ViewPicture> picture() const;
@@ -73,7 +80,7 @@ private:
 
     void work();
     bool next(Job& job);
-    void load();
+    void load(const Job& job);
     void draw(const Job& job);
     void drawImage(const Job& job, RenderSettings settings);
     void drawBuffer(const Job& job);
@@ -91,6 +98,7 @@ private:
     Clock::time_point moved_{};
     std::shared_ptr<const ViewPicture> picture_;
     std::string problem_, name_;
+    std::optional<LoadingProgress> loading_ = LoadingProgress{};
     double extent_ = 0.0;
     glm::dvec3 origin_{0.0};
 

@@ -29,7 +29,7 @@ void Viewer::say(const std::string& line) {
 
 void savePicture(Viewer& viewer) {
     const std::shared_ptr<const ViewPicture> shown = viewer.model.picture();
-    if (!shown) return viewer.say("there is no picture yet");
+    if (!shown || shown->loading) return viewer.say("there is no picture yet");
     const std::string stem = freeName(viewer.model.sceneName());
     try {
         const ImageMetadata metadata{{"dirt:scene", viewer.model.sceneName()},

@@ -3,16 +3,20 @@
 
 #include "app/viewer/view_model.h"
 
+#include "app/viewer/status_file.h"
 #include "core/frame/renderer.h"
 #include "tests/support/temporary_folder.h"
 
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace dirt {
 namespace {
@@ -169,6 +173,103 @@ TEST_F(ViewModelTest, EndsAtOnceWhateverItDoes) {
         std::this_thread::sleep_for(std::chrono::milliseconds(ms));
         model.reset();
     }
+}
+
+/// A scene of many objects side by side, all of which have the content of one.
+class LoadingTest : public ViewModelTest {
+protected:
+    CommonOptions manyObjects(size_t count) {
+        CommonOptions common = options();
+        std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+        for (int i = 0; i < 40000; ++i) obj += "v 0.125 0.25 0.5\n";
+        const std::string first = folder_.write("first.obj", obj);
+        std::string scene =
+            "<world background='0 0 0'><user position='0 0 9' lookat='0 0 0'/><camera "
+            "aperture='90'/><light position='0 0 9' target='0 0 0' flux='2000' aperture='120'/>";
+        for (size_t i = 0; i < count; ++i) {
+            const std::string name = "o" + std::to_string(i) + ".obj";
+            std::filesystem::remove(folder_ / name);
+            std::filesystem::create_hard_link(first, folder_ / name);
+            const double place = 16.0 * (double) i / (double) count - 8.0;
+            scene += "<transformation translation='" + std::to_string(place) +
+                     " 0 0'><object file='" + name + "'/></transformation>";
+        }
+        common.scene = folder_.write("many.scene", scene + "</world>");
+        common.size = ImageSize{96, 64};
+        common.bounces = 1;
+        return common;
+    }
+
+    static bool hasBegun(const ViewModel& model) {
+        const auto loading = model.loading();
+        return !loading || loading->done > 0;
+    }
+
+    static int litPixels(const Image& image) {
+        return (int) std::count_if(image.pixels.begin(), image.pixels.end(),
+                                   [](const glm::vec3& p) { return p.x > 0.0f; });
+    }
+};
+
+TEST_F(LoadingTest, SaysHowFarItIsAndShowsWhatIsThere) {
+    bool isPartial = false;
+    for (size_t count = 50; !isPartial && count <= 3200; count *= 2) { // on however fast a machine
+        ViewModel model(manyObjects(count));
+        ASSERT_TRUE(model.loading());
+        writeStatus(folder_ / "status.json", Viewer{model}, nullptr);
+        const auto status = nlohmann::json::parse(test::readFile(folder_ / "status.json"));
+        EXPECT_LE(status["loading"]["done"], status["loading"]["of"]);
+        LoadingProgress last;
+        std::shared_ptr<const ViewPicture> part;
+        while (const auto loading = model.loading()) {
+            EXPECT_LE(last.done, loading->done);
+            EXPECT_LE(loading->done, count);
+            EXPECT_EQ(loading->of, loading->done > 0 ? count : 0);
+            last = *loading;
+            const auto picture = model.picture();
+            if (!part && picture && picture->loading) part = picture;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        ASSERT_TRUE(model.loaded()) << model.problem();
+        const auto whole = rest(model);
+        ASSERT_TRUE(whole);
+        EXPECT_FALSE(whole->loading);
+        writeStatus(folder_ / "status.json", Viewer{model}, nullptr);
+        EXPECT_TRUE(
+            nlohmann::json::parse(test::readFile(folder_ / "status.json")).at("loading").is_null());
+        EXPECT_GT(last.done, 0u);
+        if (!part) continue;
+        EXPECT_FALSE(part->done);
+        EXPECT_LT(part->change, whole->change);
+        const double lit = (double) litPixels(part->image) / (part->width * part->height);
+        isPartial = lit > 0.0 && lit < 0.8 * litPixels(whole->image) / (96 * 64);
+    }
+    EXPECT_TRUE(isPartial);
+}
+
+TEST_F(LoadingTest, IsGivenUpForTheEndOrForAnotherOne) {
+    using Clock = std::chrono::steady_clock;
+    const CommonOptions common = manyObjects(60);
+    const auto start = Clock::now();
+    auto model = std::make_unique<ViewModel>(common);
+    ASSERT_TRUE(comes([&] { return model->loaded(); }));
+    const auto whole = Clock::now() - start;
+    // While the scene is read again, and before there is one.
+    model->reload();
+    for (int round = 0; round < 2; ++round) {
+        ASSERT_TRUE(comes([&] { return hasBegun(*model); }));
+        const auto end = Clock::now();
+        model.reset();
+        EXPECT_LT(Clock::now() - end, whole / 2);
+        model = std::make_unique<ViewModel>(common);
+    }
+    // Begun again, it comes to the end.
+    ASSERT_TRUE(comes([&] { return hasBegun(*model); }));
+    model->reload();
+    EXPECT_TRUE(model->loading());
+    EXPECT_TRUE(rest(*model));
+    EXPECT_EQ(model->problem(), "");
+    EXPECT_FALSE(model->loading());
 }
 
 } // namespace
