@@ -80,7 +80,22 @@ void noteIdleOptions(const CommonOptions& options, const Scene& scene) {
         sayWarning("--visibility: the light casts no shadows", options.quiet);
 }
 
-LoadedScene load(const CommonOptions& options, const MemoryBudget& memory, Executor& executor) {
+/// Shows a part of a scene that the file of the scene has a camera for.
+void showPart(LoadedScene loaded, const CommonOptions& options, const InputWatch& watch) {
+    Input part;
+    try {
+        part.settings = mergeSettings(settingsOf(loaded.settings), options);
+        part.scene = std::move(loaded.scene);
+        SerialExecutor serial;
+        moveInput(part, options, options.frame.value_or(0), serial);
+    } catch (const InputError&) { // which all of the scene may do without
+        return;
+    }
+    watch.part(std::move(part));
+}
+
+LoadedScene load(const CommonOptions& options, const MemoryBudget& memory, Executor& executor,
+                 const InputWatch& watch) {
     ProgressBar bar(options.quiet, "files read");
     LoadOptions load;
     load.strict = options.strict;
@@ -88,9 +103,14 @@ LoadedScene load(const CommonOptions& options, const MemoryBudget& memory, Execu
     load.materials = options.materials;
     load.executor = &executor;
     load.memory = memory;
-    load.progress = [&bar](size_t done, size_t total) {
+    load.progress = [&](size_t done, size_t total) {
         bar.show((int64_t) done, (int64_t) total);
+        if (watch.progress) watch.progress(done, total);
     };
+    if (watch.part && !options.camera) { // which may be of a model that is not there yet
+        load.partial.wanted = watch.wanted;
+        load.partial.show = [&](LoadedScene part) { showPart(std::move(part), options, watch); };
+    }
     return loadScene(options.scene, load);
 }
 
@@ -181,11 +201,11 @@ std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& exe
     return makeBackend(options.backend, options, executor);
 }
 
-Input openInput(const CommonOptions& options, Executor& executor) {
+Input openInput(const CommonOptions& options, Executor& executor, const InputWatch& watch) {
     checkCameraOptions(options);
     refuseIdleOptions(options);
     const MemoryBudget memory(sceneMemory(options));
-    LoadedScene loaded = load(options, memory, executor);
+    LoadedScene loaded = load(options, memory, executor, watch);
     sayAll(loaded, options.quiet);
 
     Input input;

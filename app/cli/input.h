@@ -7,9 +7,11 @@
 #include "core/io/load_report.h"
 #include "core/io/material_convention.h"
 #include "core/io/model_views.h"
+#include "core/io/read_all.h"
 #include "core/scene/scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -53,12 +55,21 @@ std::unique_ptr<Backend> makeBackend(const CommonOptions& options, Executor& exe
 std::unique_ptr<Backend> makeBackend(BackendKind kind, const CommonOptions& options,
                                      Executor& executor);
 
+/// Who looks at a scene while it is opened: see LoadOptions::progress and PartialLoad, whose scenes
+/// come as \p part shows them, at the frame and with the camera that they will have. All may be
+/// empty.
+struct InputWatch {
+    LoadProgress progress{};
+    std::function<bool()> wanted{};
+    std::function<void(Input)> part{};
+};
+
 /// Loads SCENE of \p options and brings it to their frame. Tile and bins that neither options nor
 /// the scene's file give are the cost model's on the CPU. A scene without a camera gets one that
 /// shows its frame 0; a bare model also a background, and a light where it has none. Says the
 /// warnings, of which those of precision are of the frame, what is ignored, and the caches that it
 /// left. Throws InputError.
-Input openInput(const CommonOptions& options, Executor& executor);
+Input openInput(const CommonOptions& options, Executor& executor, const InputWatch& watch = {});
 
 /// Brings the scene of openInput to another frame. Throws InputError where that frame has no image:
 /// a vertex leaves float32, or the camera has no direction.

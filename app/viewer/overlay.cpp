@@ -153,12 +153,16 @@ void drawOverlay(const Viewer& viewer, const ViewPicture* shown, double framesPe
     const std::string problem = viewer.model.problem();
     if (shown) drawTold(viewer, *shown);
     if (viewer.text && !viewer.under.empty()) drawUnder(viewer.under);
-    const bool figures = viewer.text && shown;
-    if (!figures && !viewer.help && problem.empty() && viewer.said.empty() && shown) return;
+    const auto loading = viewer.model.loading();
+    const bool isThere = shown && !shown->loading, figures = viewer.text && isThere;
+    if (!figures && !viewer.help && problem.empty() && viewer.said.empty() && isThere && !loading)
+        return;
     ImGui::SetNextWindowPos({8, 8});
     ImGui::SetNextWindowBgAlpha(0.6f);
     ImGui::Begin("figures", nullptr, kPlain);
-    if (!shown && problem.empty()) ImGui::Text("loading %s", viewer.model.facts().file.c_str());
+    if (loading || (!isThere && problem.empty()))
+        ImGui::TextUnformatted(
+            loadingText(viewer.model.file(), loading.value_or(LoadingProgress{})).c_str());
     if (!problem.empty()) ImGui::TextColored({1.0f, 0.5f, 0.4f, 1.0f}, "%s", problem.c_str());
     if (figures) drawFigures(viewer, *shown, framesPerSecond);
     if (!viewer.said.empty()) ImGui::TextUnformatted(viewer.said.c_str());

@@ -45,7 +45,9 @@ Json stateJson(const ViewState& s) {
 } // namespace
 
 void writeStatus(const std::string& path, const Viewer& viewer, const ViewPicture* shown) {
+    const auto loading = viewer.model.loading();
     Json json{{"loaded", viewer.model.loaded()},
+              {"loading", loading ? Json{{"done", loading->done}, {"of", loading->of}} : Json()},
               {"changes", viewer.model.changes()},
               {"problem", viewer.model.problem()},
               {"said", viewer.said},

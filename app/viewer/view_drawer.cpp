@@ -54,9 +54,26 @@ bool hasSamePath(const ViewState& a, const ViewState& b) {
 
 } // namespace
 
-void ViewDrawer::open(const CommonOptions& options) {
+void ViewDrawer::open(const CommonOptions& options, const LoadProgress& progress, const Stop& stop,
+                      const Show& showPart) {
     if (!executor_) executor_ = makeExecutor(options), threads_ = options.threads;
-    input_ = openInput(options, *executor_);
+    LoadingWatch watch;
+    watch.progress = progress;
+    if (showPart)
+        watch.draw = [&](Input part, const Stop& isOver) {
+            input_ = std::move(part);
+            options_ = options;
+            ViewState state = firstState();
+            prepare(state);
+            drawOnce(
+                state, coarse(state.settings), true, [&] { return isOver() || stop(); },
+                [&](ViewPicture picture) {
+                    picture.loading = true;
+                    showPart(std::move(picture));
+                });
+            input_ = Input(); // all of it will need the memory
+        };
+    input_ = openWatched(options, watch);
     options_ = options;
     account_.reset();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/cli/input.h"
+#include "app/viewer/scene_loading.h"
 #include "app/viewer/view_picture.h"
 #include "app/viewer/view_state.h"
 #include "core/explain/path_account.h"
@@ -19,8 +19,11 @@ public:
     using Stop = std::function<bool()>;
     using Show = std::function<void(ViewPicture)>;
 
-    /// Loads the scene of \p options. If that fails, the one that is there stays.
-    void open(const CommonOptions& options);
+    /// Loads the scene of \p options. If that fails, the one that is there stays. \p progress: see
+    /// LoadingWatch. \p showPart, where it is given, gets pictures of what has been read so far;
+    /// only as long as there is no scene.
+    void open(const CommonOptions& options, const LoadProgress& progress, const Stop& stop,
+              const Show& showPart);
     /// What was opened.
     const Input& input() const { return input_; }
     /// The first state that shows it.

@@ -13,6 +13,9 @@ namespace {
 /// A camera rests when it has not moved for so long.
 constexpr std::chrono::milliseconds kRest{150};
 
+/// Ends a load that no one waits for any more.
+struct Abandoned {};
+
 } // namespace
 
 /// A state to draw.
@@ -24,9 +27,7 @@ struct ViewModel::Job {
 };
 
 ViewModel::ViewModel(const CommonOptions& options)
-    : options_(options), file_(options.scene), thread_([this] { work(); }) {
-    facts_.file = options.scene;
-}
+    : options_(options), file_(options.scene), thread_([this] { work(); }) {}
 
 ViewModel::~ViewModel() {
     {
@@ -50,6 +51,16 @@ ViewState ViewModel::state() const {
 uint64_t ViewModel::changes() const {
     const std::lock_guard lock(mutex_);
     return changes_;
+}
+
+std::optional<LoadingProgress> ViewModel::loading() const {
+    const std::lock_guard lock(mutex_);
+    return loading_;
+}
+
+std::string ViewModel::file() const {
+    const std::lock_guard lock(mutex_);
+    return file_;
 }
 
 std::shared_ptr<const ViewPicture> ViewModel::picture() const {
@@ -88,6 +99,7 @@ void ViewModel::open(const std::string& file) {
         const std::lock_guard lock(mutex_);
         if (!file.empty()) file_ = file;
         reload_ = true;
+        loading_ = LoadingProgress{};
         ++changes_;
         problem_.clear();
     }
@@ -123,6 +135,7 @@ ViewModel::Clock::time_point ViewModel::advance() {
 /// Waits for something to do; false: there will be nothing any more.
 bool ViewModel::next(Job& job) {
     std::unique_lock lock(mutex_);
+    if (!reload_) loading_.reset(); // it has come to its end, good or bad
     changed_.wait(lock, [&] {
         return quit_ || reload_ || isPlaying() || (loaded_ && finished_ != changes_);
     });
@@ -171,6 +184,7 @@ void ViewModel::work() {
     drawer_.forget(); // on the thread that made it
 }
 
+/// Until there is a scene to look at, shows the parts that there are.
 void ViewModel::load(const Job& job) {
     CommonOptions options = options_;
     const bool isOther = options.scene != job.file;
@@ -179,11 +193,21 @@ void ViewModel::load(const Job& job) {
         options.camera.reset(), options.eye.reset(), options.target.reset();
         options.up.reset(), options.verticalFov.reset(), options.frame.reset();
     }
+    const auto progress = [&](size_t done, size_t of) {
+        const std::lock_guard lock(mutex_);
+        if (quit_ || reload_) throw Abandoned();
+        loading_ = LoadingProgress{done, of};
+    };
+    ViewDrawer::Show showPart;
+    if (!loaded()) showPart = [&](ViewPicture picture) { publish(job, std::move(picture)); };
     try {
-        drawer_.open(options);
+        drawer_.open(
+            options, progress, [&] { return isStale(job); }, showPart);
+    } catch (const Abandoned&) {
+        return;
     } catch (...) {
         const std::lock_guard lock(mutex_);
-        if (loaded_) file_ = options_.scene;
+        if (loaded_ && !reload_) file_ = options_.scene;
         throw;
     }
     options_ = options;

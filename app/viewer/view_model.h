@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -16,7 +17,8 @@ namespace dirt {
 /// The viewer without its window: a scene, the state that keys change, and a thread that draws what
 /// the state says. While the camera or the scene moves, pictures have as many pixels as can be
 /// drawn in a fifteenth of a second; at rest samples add up in all pixels, to the image that `dirt
-/// render` gives for as many, until the state changes. Functions may be called from any one thread,
+/// render` gives for as many, until the state changes. The first time that a scene is loaded,
+/// pictures show the objects that are there already. Functions may be called from any one thread,
 /// and do not wait for a picture.
 class ViewModel {
 public:
@@ -34,11 +36,17 @@ public:
     void change(const std::function<void(ViewState&)>& edit, bool moving = false);
     /// How many changes there were; a picture says which was its last.
     uint64_t changes() const;
-    /// Reads the scene's file and the shaders again. What fails of it stays as it was.
+    /// Reads the scene's file and the shaders again; what is being read is given up after the files
+    /// at hand. What fails of it stays as it was.
     void reload();
     /// Loads another scene, by a camera of its own, with what was chosen for the window kept. If
     /// that fails, the one that is there stays.
     void open(const std::string& file);
+
+    /// How far the scene is that is being loaded; none: it is there, or could not be loaded.
+    std::optional<LoadingProgress> loading() const;
+    /// That is there, or is being loaded.
+    std::string file() const;
 
     /// The newest picture; null before the first.
     std::shared_ptr<const ViewPicture> picture() const;
@@ -47,7 +55,7 @@ public:
 
     /// What is known of the scene.
     struct Facts {
-        std::string file;       ///< that is there, or is to be loaded
+        std::string file;
         std::string name;       ///< empty before it is there, as all that follows
         double extent = 0.0;    ///< the length of the diagonal of its box
         glm::dvec3 origin{0.0}; ///< of its coordinates, in those of its files
@@ -78,7 +86,8 @@ private:
     ViewState state_;
     Facts facts_;
     bool loaded_ = false, reload_ = true, quit_ = false;
-    std::string file_;                    ///< to be loaded
+    std::string file_; ///< to be loaded
+    std::optional<LoadingProgress> loading_ = LoadingProgress{};
     uint64_t changes_ = 0, finished_ = 0; ///< the change whose picture has all its samples
     uint64_t coarse_ = 0;                 ///< and the last that was drawn while the camera moved
     Clock::time_point moved_{}, played_{};

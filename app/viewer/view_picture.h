@@ -28,6 +28,7 @@ struct ViewPicture {
     int width = 0, height = 0, samples = 0; ///< of the image behind it
     double error = 0.0;                     ///< relative, see ErrorEstimate
     bool done = false;                      ///< no more samples will come
+    bool loading = false;                   ///< of a scene that was not all there
     std::vector<PassTime> build, passes;    ///< of its last frame; passes: with those of the build
     double sampleMs = 0.0;                  ///< from the beginning of the build, for each sample
     std::vector<BufferSize> memory;         ///< of the backend

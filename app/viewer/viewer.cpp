@@ -78,7 +78,7 @@ void Viewer::say(const std::string& line) {
 
 void savePicture(Viewer& viewer) {
     const std::shared_ptr<const ViewPicture> shown = viewer.model.picture();
-    if (!shown) return viewer.say("there is no picture yet");
+    if (!shown || shown->loading) return viewer.say("there is no picture yet");
     const std::string scene = viewer.model.facts().name;
     const std::string stem = freeName(scene);
     try {

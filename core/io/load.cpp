@@ -3,12 +3,15 @@
 #include "core/base/error.h"
 #include "core/frame/move_scene.h"
 #include "core/io/find_file.h"
-#include "core/io/mesh_size.h"
-#include "core/io/scene_builder.h"
+#include "core/io/partial_scenes.h"
+#include "core/io/place_models.h"
 #include "core/io/scene_origin.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace dirt {
@@ -25,117 +28,74 @@ fs::path findObject(const SceneFile& source, const SceneFile::Object& object) {
     failAt(source.file, object.line, "object file " + inQuotes(object.file) + " not found");
 }
 
-/// Takes note of all positions and normals of \p mesh from the given ones on as what moves with a
-/// space, in which \p origin is taken off them.
-void addMovingPart(const Mesh& mesh, uint32_t space, const glm::dvec3& origin, size_t firstPosition,
-                   size_t firstNormal, Animation& animation) {
-    MovingPart& part = animation.parts.emplace_back();
-    part.space = space;
-    part.origin = origin;
-    part.firstPosition = firstPosition;
-    part.firstNormal = firstNormal;
-    part.positions.assign(mesh.positions.begin() + (ptrdiff_t) firstPosition, mesh.positions.end());
-    part.normals.assign(mesh.normals.begin() + (ptrdiff_t) firstNormal, mesh.normals.end());
-}
-
-/// A model file that is to be placed.
-struct Placed {
-    fs::path file;
-    glm::dmat4 toSpace{1.0};
-    uint32_t space = MovingSpace::kWorld;
-    bool doubleSided = true;
-    MaterialChoice materials = {};
-};
-
-/// Option --materials, which overrides all.
-void chooseMaterials(MaterialConvention convention, const std::vector<Model>& models,
-                     std::vector<Placed>& list) {
+/// Option --materials would have no effect.
+void checkMaterials(const std::vector<Model>& models) {
     const auto isObj = [](const Model& m) { return std::holds_alternative<ObjFile>(m.file); };
     if (std::none_of(models.begin(), models.end(), isObj))
         throw InputError("--materials: has no effect without an OBJ file");
-    for (Placed& placed : list) placed.materials = {MaterialChoice::By::option, convention};
 }
 
-/// Triangles of a file, as often as they are placed.
-struct Rounded {
-    uint64_t lost = 0; ///< without area in float32
-    uint64_t triangles = 0;
-};
-
-void warnOfRounding(const fs::path& file, const Rounded& rounded, LoadReport& report) {
-    if (rounded.lost > 0)
-        report.warn(WarningKind::precision, file, 0,
-                    std::to_string(rounded.lost) + " of " + std::to_string(rounded.triangles) +
-                        " triangles are too small for float32 at their coordinates: they lose "
-                        "their area");
-}
-
-/// Takes the memory of all that is placed, before any is, and makes room for it.
-void makeRoom(const std::vector<Placed>& list, const std::vector<SceneBuilder::Use>& uses,
-              const MemoryBudget& budget, Mesh& mesh) {
-    MeshSize sum;
+/// A scene of those models of \p list that are there, added to what \p head says. What it takes and
+/// what is noticed does not count.
+LoadedScene partOf(LoadedScene head, std::span<const Placed> list,
+                   std::span<const SceneBuilder::Use> uses, const std::vector<bool>& there,
+                   const MemoryBudget& memory) {
+    std::vector<Placed> listThere;
+    std::vector<SceneBuilder::Use> usesThere;
     for (size_t i = 0; i < list.size(); ++i) {
-        const MeshSize size = placedSize(*uses[i].model);
-        const bool moves = list[i].space != MovingSpace::kWorld;
-        const uint64_t copied = moves ? size.positions + size.normals : 0;
-        budget.spend(size.bytes() + copied * sizeof(glm::vec3), list[i].file,
-                     "each of " + std::to_string(size.triangles) +
-                         " triangles, as often as it is "
-                         "placed,");
-        sum += size;
+        if (!there[i]) continue;
+        listThere.push_back(list[i]);
+        usesThere.push_back(uses[i]);
     }
-    reserve(sum, mesh);
+    const MemoryBudget left = memory.hasLimit() ? MemoryBudget(memory.left()) : memory;
+    LoadReport unheard;
+    SceneBuilder builder(head.scene, unheard, left);
+    builder.leaveOutTextures();
+    placeModels(listThere, usesThere, left, builder, unheard, head);
+    return head;
 }
 
-/// Reads each file once, on threads, and places what it holds as often as it is named.
-void placeModels(std::vector<Placed> list, bool cache, const LoadOptions& options,
-                 LoadReport& report, LoadedScene& loaded) {
-    Scene& scene = loaded.scene;
+/// Reads each file once, on threads, and places what it holds as often as it is named. \p complete:
+/// what is left to do for a part of the scene when its models are placed.
+void loadModels(std::vector<Placed> list, const LoadOptions& options, LoadReport& report,
+                LoadedScene& loaded, const std::function<void(LoadedScene&)>& complete = {}) {
     std::vector<fs::path> files;
     std::map<fs::path, size_t> places;
-    for (const Placed& placed : list)
+    for (Placed& placed : list) {
         if (places.try_emplace(placed.file, files.size()).second) files.push_back(placed.file);
-
-    SerialExecutor serial;
-    Executor& executor = options.executor ? *options.executor : serial;
+        if (options.materials) placed.materials = {MaterialChoice::By::option, *options.materials};
+    }
     std::vector<Model> models(files.size());
-    readAll(files.size(), executor, options.progress,
-            [&](size_t i) { models[i] = readModel(files[i], cache, options.memory); });
-    if (options.materials) chooseMaterials(*options.materials, models, list);
     std::vector<SceneBuilder::Use> uses;
     for (const Placed& placed : list)
         uses.push_back({&models[places[placed.file]], placed.materials});
-    SceneBuilder builder(scene, report, options.memory);
-    builder.readTexturesAhead(uses, executor, options.progress);
-    makeRoom(list, uses, options.memory, scene.mesh);
-    OriginFinder origins(scene.animation);
-    for (size_t i = 0; i < list.size(); ++i)
-        origins.add(*uses[i].model, list[i].toSpace, list[i].space);
-    scene.origin = origins.ofWorld();
-    std::map<fs::path, Rounded> perFile;
-    for (size_t i = 0; i < list.size(); ++i) {
-        const Placed& placed = list[i];
-        const size_t positions = scene.mesh.positions.size(), normals = scene.mesh.normals.size();
-        const glm::dvec3 origin = origins.ofSpace(i);
-        const size_t triangles = scene.mesh.triangles.size();
-        Rounded& rounded = perFile[placed.file];
-        rounded.lost +=
-            builder.add(uses[i], relativeTo(origin, placed.toSpace), placed.doubleSided);
-        rounded.triangles += scene.mesh.triangles.size() - triangles;
-        if (placed.space != MovingSpace::kWorld)
-            addMovingPart(scene.mesh, placed.space, origin, positions, normals, scene.animation);
-        else
-            placeModelViews(*uses[i].model, relativeTo(origin, placed.toSpace), report,
-                            loaded.cameras, scene.lights);
-    }
-    for (const fs::path& file : files) warnOfRounding(file, perFile[file], report);
-    loaded.materialFiles = builder.materialFiles();
+
+    SerialExecutor serial;
+    Executor& executor = options.executor ? *options.executor : serial;
+    PartialScenes parts(options.partial, files.size(), [&](const std::vector<bool>& isRead) {
+        std::vector<bool> there;
+        for (const Placed& placed : list) there.push_back(isRead[places.at(placed.file)]);
+        LoadedScene part = partOf(loaded, list, uses, there, options.memory);
+        complete(part);
+        return part;
+    });
+    const LoadProgress progress = parts.after(options.progress);
+    readAll(files.size(), executor, progress, [&](size_t i) {
+        models[i] = readModel(files[i], options.cache, options.memory);
+        parts.add(i);
+    });
+    if (options.materials) checkMaterials(models);
+    SceneBuilder builder(loaded.scene, report, options.memory);
+    builder.readTexturesAhead(uses, executor, progress);
+    placeModels(list, uses, options.memory, builder, report, loaded);
 }
 
 /// A model by itself. Other programs' materials are meant for GGX; glTF says so.
 void loadModel(const fs::path& file, const LoadOptions& options, LoadReport& report,
                LoadedScene& loaded) {
-    placeModels({Placed{file}}, options.cache, options, report, loaded);
+    LoadOptions own = options;
+    own.partial = {};
+    loadModels({Placed{file}}, own, report, loaded);
     const bool isDemo = std::any_of(
         loaded.materialFiles.begin(), loaded.materialFiles.end(),
         [](const MaterialFile& taken) { return taken.convention == MaterialConvention::demo; });
@@ -150,6 +110,16 @@ void chooseModelCamera(LoadedScene& loaded) {
     loaded.scene.camera = loaded.cameras.front().camera;
     loaded.modelCamera = 0;
     loaded.hasCamera = true;
+}
+
+/// What is left to do when all of a scene is in its place.
+void finish(const fs::path& file, LoadedScene& loaded) {
+    Mesh& mesh = loaded.scene.mesh;
+    if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), glm::vec3(1.0f));
+    loaded.hasLight = !loaded.scene.lights.empty();
+    SerialExecutor serial;
+    moveScene(loaded.scene, 0, serial);
+    loaded.scene.name = printable(file.stem().string());
 }
 
 void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport& report,
@@ -172,7 +142,13 @@ void loadSceneFile(const fs::path& file, const LoadOptions& options, LoadReport&
         list.push_back({place, object.toSpace, object.space, object.doubleSided,
                         MaterialChoice::inSceneFile(source.materials, object.materials)});
     }
-    placeModels(std::move(list), options.cache && source.cache, options, report, loaded);
+    LoadOptions own = options;
+    own.cache = options.cache && source.cache;
+    if (!source.showParts || !source.hasCamera) own.partial = {};
+    loadModels(std::move(list), own, report, loaded, [&](LoadedScene& part) {
+        moveToOrigin(source, part.scene);
+        finish(file, part);
+    });
     moveToOrigin(source, scene);
 }
 
@@ -198,13 +174,7 @@ LoadedScene loadScene(const fs::path& file, const LoadOptions& options) {
     if (loaded.scene.mesh.triangles.empty())
         failAt(file, 0, "holds no triangles" + firstSkipped(report));
     chooseModelCamera(loaded);
-    loaded.hasLight = !loaded.scene.lights.empty();
-
-    Mesh& mesh = loaded.scene.mesh;
-    if (!mesh.colors.empty()) mesh.colors.resize(mesh.positions.size(), glm::vec3(1.0f));
-    SerialExecutor serial;
-    moveScene(loaded.scene, 0, serial);
-    loaded.scene.name = printable(file.stem().string());
+    finish(file, loaded);
     loaded.warnings = report.warnings();
     loaded.ignored = report.ignored();
     loaded.caches = report.caches();

@@ -19,7 +19,7 @@ void SceneBuilder::readTexturesAhead(std::span<const Use> uses, Executor& execut
     Scene scene;
     LoadReport report;
     SceneBuilder announcing(scene, report, textures_.budget());
-    announcing.textures_.announce();
+    announcing.leaveOutTextures();
     for (const Use& use : uses) announcing.materialsOf(use, true);
     textures_.readAhead(announcing.textures_, executor, progress);
 }

@@ -29,6 +29,9 @@ public:
         : scene_(scene), report_(report), libraries_(report, budget),
           textures_(scene, report, budget) {}
 
+    /// Makes materials as if they named no textures, from now on.
+    void leaveOutTextures() { textures_.announce(); }
+
     /// A model, and how its MTL files are to be taken.
     struct Use {
         const Model* model;

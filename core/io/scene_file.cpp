@@ -25,6 +25,7 @@ constexpr SceneAttribute kHonoured[] = {
     {"world", "microfacet_model"},
     {"world", "materials"},
     {"world", "binary_loading"},
+    {"world", "multithreaded_loading"},
     {"directory", "path"},
     {"tracing", "faces"},
     {"tracing", "block_size"},
@@ -93,6 +94,7 @@ public:
         microfacetModel(attributes, root);
         scene_.materials = materials(attributes, root);
         scene_.cache = attributes.boolean("binary_loading").value_or(scene_.cache);
+        scene_.showParts = attributes.boolean("multithreaded_loading").value_or(scene_.showParts);
         for (const pugi::xml_node child : root.children()) worldChild(child);
         return std::move(scene_);
     }

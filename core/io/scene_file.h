@@ -62,6 +62,9 @@ struct SceneFile {
     ToneMapping toneMapping;
     Animation animation; ///< without parts
     bool cache = true;   ///< binary_loading: whether models may be read through caches
+    /// multithreaded_loading: whether what has been read may be shown before all has; threads read
+    /// in any case.
+    bool showParts = true;
     SceneSettings settings;
 };
 

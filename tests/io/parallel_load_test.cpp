@@ -3,13 +3,11 @@
 #include "backend_cpu/thread_pool.h"
 #include "core/io/load.h"
 #include "tests/io/input_error.h"
-#include "tests/io/same_bits.h"
+#include "tests/io/same_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/write_image.h"
 
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 namespace dirt {
 namespace {
@@ -64,27 +62,8 @@ TEST_F(ParallelLoad, GivesTheSameScene) {
         const LoadedScene many = loadScene(scene_, options);
         EXPECT_EQ(calls, (size_t) kObjects + 5) << "models, then images, each once";
         EXPECT_EQ(last, 5u);
-        const Mesh &m = one.scene.mesh, &n = many.scene.mesh;
-        ASSERT_TRUE(
-            test::sameBits(m.positions, n.positions) && test::sameBits(m.triangles, n.triangles) &&
-            test::sameBits(m.materials, n.materials) && test::sameBits(m.texcoords, n.texcoords));
-        ASSERT_EQ(one.scene.materials.size(), many.scene.materials.size());
-        for (size_t i = 0; i < one.scene.materials.size(); ++i) {
-            const Material &a = one.scene.materials[i], &b = many.scene.materials[i];
-            EXPECT_EQ(a.name, b.name);
-            EXPECT_EQ(a.diffuse, b.diffuse);
-            EXPECT_EQ(a.diffuseMap, b.diffuseMap);
-            EXPECT_EQ(a.reflectanceMap, b.reflectanceMap);
-        }
-        ASSERT_EQ(one.scene.textures.size(), many.scene.textures.size());
-        for (size_t i = 0; i < one.scene.textures.size(); ++i) {
-            EXPECT_EQ(one.scene.textures[i].file(), many.scene.textures[i].file());
-            EXPECT_EQ(one.scene.textures[i].sample({0, 0}), many.scene.textures[i].sample({0, 0}));
-        }
-        ASSERT_EQ(one.warnings.size(), many.warnings.size());
-        for (size_t i = 0; i < one.warnings.size(); ++i)
-            EXPECT_EQ(one.warnings[i].text, many.warnings[i].text);
-        EXPECT_EQ(one.ignored, many.ignored);
+        test::expectSameScene(one, many);
+        if (HasFatalFailure()) return;
     }
 }
 

@@ -3,65 +3,29 @@
 
 #include "app/viewer/view_model.h"
 
+#include "app/viewer/status_file.h"
 #include "core/frame/renderer.h"
-#include "tests/support/random.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/viewer/view_model_fixture.h"
 
-#include <array>
+#include <algorithm>
 #include <chrono>
-#include <fstream>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <thread>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace dirt {
 namespace {
 
-constexpr const char* kFloorAndBox = "v -2 0 -4\nv 2 0 -4\nv 2 0 1\nv -2 0 1\n"
-                                     "v -1 0 -3\nv 1 0 -3\nv 1 1.5 -3\nv -1 1.5 -3\n"
-                                     "f 1 4 3 2\nf 5 6 7 8\n";
+using test::kFloorAndBox;
 
-class ViewModelTest : public testing::Test {
-protected:
-    CommonOptions options(const std::string& text = kFloorAndBox) {
-        CommonOptions options;
-        options.scene = folder_.write("box.obj", text);
-        options.size = ImageSize{48, 32};
-        options.samples = 4;
-        options.bounces = 2;
-        options.threads = 2;
-        options.quiet = options.noCache = true;
-        return options;
-    }
+class ViewAtRest : public test::ViewModelTest {};
 
-    /// Whether it comes true within a time that no machine needs.
-    static bool comes(const std::function<bool()>& what) {
-        for (int i = 0; i < 6000; ++i) {
-            if (what()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return false;
-    }
-
-    /// The picture of the last change with all its samples; null if it does not come.
-    static std::shared_ptr<const ViewPicture> rest(const ViewModel& model) {
-        std::shared_ptr<const ViewPicture> picture;
-        comes([&] {
-            picture = model.picture();
-            return picture && picture->done && picture->change == model.changes();
-        });
-        return picture;
-    }
-
-    test::TemporaryFolder folder_;
-};
-
-TEST_F(ViewModelTest, AtRestIsWhatRenderGives) {
+TEST_F(ViewAtRest, AtRestIsWhatRenderGives) {
     const CommonOptions common = options();
     const auto executor = makeExecutor(common);
     const Input input = openInput(common, *executor);
@@ -85,7 +49,7 @@ TEST_F(ViewModelTest, AtRestIsWhatRenderGives) {
     EXPECT_EQ(later->image.pixels, expected.pixels);
 }
 
-TEST_F(ViewModelTest, ChangesAreDrawnAndTellWhichTheyAre) {
+TEST_F(ViewAtRest, ChangesAreDrawnAndTellWhichTheyAre) {
     ViewModel model(options());
     const auto first = rest(model);
     ASSERT_TRUE(first);
@@ -103,7 +67,7 @@ TEST_F(ViewModelTest, ChangesAreDrawnAndTellWhichTheyAre) {
     EXPECT_EQ(rest(model)->samples, 1);
 }
 
-TEST_F(ViewModelTest, WhileTheCameraMovesPicturesAreCoarse) {
+TEST_F(ViewAtRest, WhileTheCameraMovesPicturesAreCoarse) {
     CommonOptions common = options();
     common.size = ImageSize{640, 480};
     ViewModel model(common);
@@ -121,7 +85,7 @@ TEST_F(ViewModelTest, WhileTheCameraMovesPicturesAreCoarse) {
     EXPECT_EQ(fine->change, change);
 }
 
-TEST_F(ViewModelTest, WhatCannotBeLoadedIsSaidAndMayComeLater) {
+TEST_F(ViewAtRest, WhatCannotBeLoadedIsSaidAndMayComeLater) {
     CommonOptions common = options();
     common.scene = (folder_.path() / "none.obj").string();
     ViewModel model(common);
@@ -136,7 +100,7 @@ TEST_F(ViewModelTest, WhatCannotBeLoadedIsSaidAndMayComeLater) {
     EXPECT_EQ(model.state().settings.bounces, 2);
 }
 
-TEST_F(ViewModelTest, AfterAFailedReloadTheOldSceneStays) {
+TEST_F(ViewAtRest, AfterAFailedReloadTheOldSceneStays) {
     ViewModel model(options());
     const auto before = rest(model);
     ASSERT_TRUE(before);
@@ -153,7 +117,7 @@ TEST_F(ViewModelTest, AfterAFailedReloadTheOldSceneStays) {
     EXPECT_TRUE(comes([&] { return rest(model)->image.pixels != before->image.pixels; }));
 }
 
-TEST_F(ViewModelTest, WhatCannotBeDrawnIsSaidAndUndone) {
+TEST_F(ViewAtRest, WhatCannotBeDrawnIsSaidAndUndone) {
     ViewModel model(options());
     const auto before = rest(model);
     ASSERT_TRUE(before);
@@ -165,154 +129,7 @@ TEST_F(ViewModelTest, WhatCannotBeDrawnIsSaidAndUndone) {
     EXPECT_EQ(model.problem(), "");
 }
 
-TEST_F(ViewModelTest, APathIsToldAndDrawnRayByRay) {
-    ViewModel model(options());
-    ASSERT_TRUE(rest(model));
-    for (const char* kind : {"image", "near", "overview", "normal"}) {
-        model.change([&](ViewState& s) {
-            s.shown = previewKind(kind);
-            showRay(s, 0.5, 0.5);
-        });
-        const auto shown = rest(model);
-        ASSERT_TRUE(shown) << kind;
-        ASSERT_GT(shown->path.size(), 2u) << kind; // all, that from the eye, and to the light
-        EXPECT_NE(shown->path[0].text.find("pixel (24, 16)"), std::string::npos);
-        EXPECT_NE(shown->path[1].text.find("primary ray"), std::string::npos);
-        EXPECT_NE(shown->path[2].text.find("shadow ray"), std::string::npos);
-        for (const PathStep& step : shown->path) EXPECT_GT(step.marks.size(), 0u) << kind;
-    }
-    model.change([](ViewState& s) { s.ray.reset(); });
-    EXPECT_TRUE(rest(model)->path.empty());
-}
-
-TEST_F(ViewModelTest, ATilesListsAreTold) {
-    ViewModel model(options());
-    ASSERT_TRUE(rest(model));
-    model.change([](ViewState& s) { s.shown = previewKind("entries"); });
-    const auto all = rest(model);
-    ASSERT_TRUE(all);
-    EXPECT_EQ(all->told, "");
-    // One that lists something.
-    std::array<int, 3> tile{};
-    double entries = 0;
-    for (const PictureValues& part : all->values)
-        for (int y = 0; y < part.rows(); ++y)
-            for (int x = 0; x < part.columns(); ++x) {
-                const double here = part.numbers[(size_t) (y * part.columns() + x)];
-                if (here > entries) entries = here, tile = {part.view, x, y};
-            }
-    ASSERT_GT(entries, 0);
-    model.change([&](ViewState& s) { s.tile = tile; });
-    const auto told = rest(model);
-    ASSERT_TRUE(told);
-    EXPECT_EQ(told->marks.size(), 1u);
-    EXPECT_NE(told->told.find("entries, 0 wrong"), std::string::npos) << told->told;
-    EXPECT_NE(told->told.find("of view " + std::to_string(tile[0])), std::string::npos);
-    // In a picture of other tiles it may not be there.
-    model.change([&](ViewState& s) { s.tile = {9, 0, 0}; });
-    EXPECT_EQ(rest(model)->told, "");
-}
-
-TEST_F(ViewModelTest, AnAnimatedScenePlaysAndPauses) {
-    CommonOptions common = options();
-    common.scene = DIRT_SOURCE_DIR "/scenes/turning.scene";
-    ViewModel model(common);
-    ASSERT_TRUE(comes([&] { return model.picture() && model.picture()->frame > 2; }));
-    EXPECT_TRUE(model.state().playing);
-    model.change([](ViewState& s) { s.playing = false; });
-    const auto paused = rest(model);
-    ASSERT_TRUE(paused);
-    EXPECT_EQ(paused->frame, model.state().frame);
-    // What render gives for that frame.
-    common.frame = paused->frame;
-    const auto executor = makeExecutor(common);
-    const Input input = openInput(common, *executor);
-    const auto backend = makeBackend(common, *executor);
-    EXPECT_EQ(paused->image.pixels,
-              Renderer(input.scene, input.settings, *backend).render().image.pixels);
-    // Another one by hand, and on from there, over the end.
-    const int last = model.facts().lastFrame;
-    ASSERT_GT(last, 0);
-    model.change([&](ViewState& s) { s.frame = last; });
-    EXPECT_EQ(rest(model)->frame, last);
-    model.change([](ViewState& s) { s.playing = true; });
-    EXPECT_TRUE(comes([&] { return model.picture()->frame < last; }));
-    // With --frame it stands.
-    ViewModel standing(common);
-    ASSERT_TRUE(rest(standing));
-    EXPECT_EQ(rest(standing)->frame, *common.frame);
-}
-
-TEST_F(ViewModelTest, AnotherSceneIsOpenedAndABadOneIsNot) {
-    CommonOptions common = options();
-    common.eye = glm::dvec3(0, 5, 5); // of the first alone
-    common.target = glm::dvec3(0, 0, 0);
-    ViewModel model(common);
-    const auto first = rest(model);
-    ASSERT_TRUE(first);
-    model.change([](ViewState& s) { s.settings.grid.width = 40, s.settings.grid.height = 20; });
-    const std::string other = folder_.write("other.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n");
-    model.open(other);
-    ASSERT_TRUE(comes([&] { return model.facts().name == "other"; }));
-    const auto second = rest(model);
-    ASSERT_TRUE(second);
-    EXPECT_EQ(second->width, 40);
-    EXPECT_EQ(model.facts().triangles, 1u);
-    EXPECT_NE(model.state().camera.eye, glm::vec3(0, 5, 5));
-    model.open((folder_.path() / "none.obj").string());
-    ASSERT_TRUE(comes([&] { return !model.problem().empty(); }));
-    EXPECT_EQ(model.facts().name, "other");
-    EXPECT_EQ(rest(model)->image.pixels, second->image.pixels);
-    // What is read again is that which is there.
-    model.reload();
-    ASSERT_TRUE(rest(model));
-    EXPECT_EQ(model.problem(), "");
-    EXPECT_EQ(model.facts().file, other);
-}
-
-TEST_F(ViewModelTest, ThreadsAndToneMappingChange) {
-    ViewModel model(options());
-    const auto before = rest(model);
-    ASSERT_TRUE(before);
-    model.change([](ViewState& s) { s.threads = 1; });
-    const auto one = rest(model);
-    ASSERT_TRUE(one);
-    EXPECT_EQ(one->image.pixels, before->image.pixels);
-    EXPECT_NE(one->device, before->device);
-    model.change([](ViewState& s) { s.toneMapping.key += 1.0f; });
-    const auto brighter = rest(model);
-    ASSERT_TRUE(brighter);
-    EXPECT_EQ(brighter->image.pixels, before->image.pixels);
-    EXPECT_NE(brighter->picture.rgb, before->picture.rgb);
-}
-
-size_t residentBytes() {
-    std::ifstream file("/proc/self/statm");
-    size_t all = 0, resident = 0;
-    file >> all >> resident;
-    return resident * (size_t) sysconf(_SC_PAGESIZE);
-}
-
-TEST_F(ViewModelTest, MemoryDoesNotGrowFromFrameToFrame) {
-    CommonOptions common = options();
-    common.size = ImageSize{24, 16};
-    ViewModel model(common);
-    ASSERT_TRUE(rest(model));
-    const auto walk = [&](int frames) {
-        for (int i = 0; i < frames; ++i) {
-            model.change([&](ViewState& s) { s.camera.eye.x += i % 2 ? 0.1f : -0.1f; }, true);
-            const uint64_t change = model.changes();
-            while (model.picture()->change != change) std::this_thread::yield();
-        }
-    };
-    const int frames = test::fullTests() ? 5000 : 500;
-    walk(frames / 2);
-    const size_t before = residentBytes();
-    walk(frames / 2);
-    EXPECT_LT((double) residentBytes(), (double) before + 2e6);
-}
-
-TEST_F(ViewModelTest, EndsAtOnceWhateverItDoes) {
+TEST_F(ViewAtRest, EndsAtOnceWhateverItDoes) {
     CommonOptions common = options();
     common.samples.reset();
     common.size = ImageSize{800, 600};
@@ -321,6 +138,103 @@ TEST_F(ViewModelTest, EndsAtOnceWhateverItDoes) {
         std::this_thread::sleep_for(std::chrono::milliseconds(ms));
         model.reset();
     }
+}
+
+/// A scene of many objects side by side, all of which have the content of one.
+class LoadingTest : public test::ViewModelTest {
+protected:
+    CommonOptions manyObjects(size_t count) {
+        CommonOptions common = options();
+        std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+        for (int i = 0; i < 40000; ++i) obj += "v 0.125 0.25 0.5\n";
+        const std::string first = folder_.write("first.obj", obj);
+        std::string scene =
+            "<world background='0 0 0'><user position='0 0 9' lookat='0 0 0'/><camera "
+            "aperture='90'/><light position='0 0 9' target='0 0 0' flux='2000' aperture='120'/>";
+        for (size_t i = 0; i < count; ++i) {
+            const std::string name = "o" + std::to_string(i) + ".obj";
+            std::filesystem::remove(folder_ / name);
+            std::filesystem::create_hard_link(first, folder_ / name);
+            const double place = 16.0 * (double) i / (double) count - 8.0;
+            scene += "<transformation translation='" + std::to_string(place) +
+                     " 0 0'><object file='" + name + "'/></transformation>";
+        }
+        common.scene = folder_.write("many.scene", scene + "</world>");
+        common.size = ImageSize{96, 64};
+        common.bounces = 1;
+        return common;
+    }
+
+    static bool hasBegun(const ViewModel& model) {
+        const auto loading = model.loading();
+        return !loading || loading->done > 0;
+    }
+
+    static int litPixels(const Image& image) {
+        return (int) std::count_if(image.pixels.begin(), image.pixels.end(),
+                                   [](const glm::vec3& p) { return p.x > 0.0f; });
+    }
+};
+
+TEST_F(LoadingTest, SaysHowFarItIsAndShowsWhatIsThere) {
+    bool isPartial = false;
+    for (size_t count = 50; !isPartial && count <= 3200; count *= 2) { // on however fast a machine
+        ViewModel model(manyObjects(count));
+        ASSERT_TRUE(model.loading());
+        writeStatus(folder_ / "status.json", Viewer{model}, nullptr);
+        const auto status = nlohmann::json::parse(test::readFile(folder_ / "status.json"));
+        EXPECT_LE(status["loading"]["done"], status["loading"]["of"]);
+        LoadingProgress last;
+        std::shared_ptr<const ViewPicture> part;
+        while (const auto loading = model.loading()) {
+            EXPECT_LE(last.done, loading->done);
+            EXPECT_LE(loading->done, count);
+            EXPECT_EQ(loading->of, loading->done > 0 ? count : 0);
+            last = *loading;
+            const auto picture = model.picture();
+            if (!part && picture && picture->loading) part = picture;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        ASSERT_TRUE(model.loaded()) << model.problem();
+        const auto whole = rest(model);
+        ASSERT_TRUE(whole);
+        EXPECT_FALSE(whole->loading);
+        writeStatus(folder_ / "status.json", Viewer{model}, nullptr);
+        EXPECT_TRUE(
+            nlohmann::json::parse(test::readFile(folder_ / "status.json")).at("loading").is_null());
+        EXPECT_GT(last.done, 0u);
+        if (!part) continue;
+        EXPECT_FALSE(part->done);
+        EXPECT_LT(part->change, whole->change);
+        const double lit = (double) litPixels(part->image) / (part->width * part->height);
+        isPartial = lit > 0.0 && lit < 0.8 * litPixels(whole->image) / (96 * 64);
+    }
+    EXPECT_TRUE(isPartial);
+}
+
+TEST_F(LoadingTest, IsGivenUpForTheEndOrForAnotherOne) {
+    using Clock = std::chrono::steady_clock;
+    const CommonOptions common = manyObjects(60);
+    const auto start = Clock::now();
+    auto model = std::make_unique<ViewModel>(common);
+    ASSERT_TRUE(comes([&] { return model->loaded(); }));
+    const auto whole = Clock::now() - start;
+    // While the scene is read again, and before there is one.
+    model->reload();
+    for (int round = 0; round < 2; ++round) {
+        ASSERT_TRUE(comes([&] { return hasBegun(*model); }));
+        const auto end = Clock::now();
+        model.reset();
+        EXPECT_LT(Clock::now() - end, whole / 2);
+        model = std::make_unique<ViewModel>(common);
+    }
+    // Begun again, it comes to the end.
+    ASSERT_TRUE(comes([&] { return hasBegun(*model); }));
+    model->reload();
+    EXPECT_TRUE(model->loading());
+    EXPECT_TRUE(rest(*model));
+    EXPECT_EQ(model->problem(), "");
+    EXPECT_FALSE(model->loading());
 }
 
 } // namespace
