@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -88,12 +89,17 @@ void drawFigures(const Viewer& viewer, const ViewPicture& shown, double framesPe
     if (viewer.timers) drawTables(shown);
 }
 
+/// What the mouse does, beside the keys.
+constexpr const char* kMouse[] = {"drag: turn the view", "wheel: zoom",
+                                  "right drag: move what is zoomed",
+                                  "click: a tile's lists, a pixel's values or (-) its rays"};
+
 /// In as many columns as the window's height asks for.
 void drawKeys() {
     const auto keys = keyBindings();
     const float room = ImGui::GetIO().DisplaySize.y - ImGui::GetCursorPosY() - 32;
     const auto lines = (size_t) std::max(1.0f, room / ImGui::GetTextLineHeightWithSpacing());
-    const size_t count = keys.size() + 1, columns = (count + lines - 1) / lines;
+    const size_t count = keys.size() + std::size(kMouse), columns = (count + lines - 1) / lines;
     const size_t each = (count + columns - 1) / columns;
     if (!ImGui::BeginTable("keys", (int) columns, ImGuiTableFlags_SizingFixedFit)) return;
     for (size_t row = 0; row < each; ++row) {
@@ -102,9 +108,7 @@ void drawKeys() {
             ImGui::TableNextColumn();
             const bool isKey = i < keys.size();
             ImGui::Text("%-5s %s", isKey ? keys[i].label : "mouse",
-                        isKey ? keys[i].meaning
-                              : "drag: turn; wheel: zoom; right drag: move what is zoomed; click: "
-                                "a tile's lists, a pixel's rays (-) or values");
+                        isKey ? keys[i].meaning : kMouse[i - keys.size()]);
         }
     }
     ImGui::EndTable();

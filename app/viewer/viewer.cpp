@@ -32,12 +32,11 @@ std::string freeName(const std::string& scene) {
 /// picture. Of an overview, which has several, those of its image.
 Image imageOf(const std::vector<PictureValues>& parts) {
     Image image;
-    const bool isSheet = parts.front().times == parts.back().times;
-    const size_t first = isSheet ? 0 : parts.size() - 1;
+    const bool isOverview = parts.front().view >= 0 && parts.back().view < 0;
+    const size_t first = isOverview ? parts.size() - 1 : 0;
     const int times = parts.back().times;
-    const glm::ivec2 corner = isSheet
-                                  ? glm::ivec2(0) // of all of them together
-                                  : glm::ivec2(parts.back().pixels.left, parts.back().pixels.top);
+    const glm::ivec2 corner =
+        isOverview ? glm::ivec2(parts.back().pixels.left, parts.back().pixels.top) : glm::ivec2(0);
     for (size_t i = first; i < parts.size(); ++i) {
         image.width = std::max(image.width, (parts[i].pixels.right() - corner.x) / times);
         image.height = std::max(image.height, (parts[i].pixels.bottom() - corner.y) / times);

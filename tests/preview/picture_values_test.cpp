@@ -1,14 +1,12 @@
 // The numbers behind a preview are those of the buffers, and stand where their colours do.
 
-#include "backend_cpu/cpu_backend.h"
-#include "backend_cpu/thread_pool.h"
 #include "core/explain/explained_ray.h"
 #include "core/explain/path_account.h"
 #include "core/frame/renderer.h"
 #include "core/path/camera_rays.h"
 #include "core/preview/path_marks.h"
 #include "core/preview/present.h"
-#include "tests/support/golden_scenes.h"
+#include "tests/preview/preview_fixture.h"
 
 #include <cmath>
 
@@ -17,26 +15,11 @@
 namespace dirt {
 namespace {
 
-class PreviewValues : public testing::Test {
+class PreviewValues : public test::PreviewFixture {
 protected:
-    PreviewValues()
-        : loaded_(loadScene(test::goldenFolder() / "scenes" / "maps.scene")),
-          settings_(test::goldenSettings(loaded_, 2)) {
-        settings_.grid.width = 48;
-        settings_.grid.height = 24;
-        settings_.grid.tile = 4;
+    PreviewPicture draw(const std::string& name, const PreviewRequest& request = {}) {
+        return PreviewFixture::draw(cpu_, name, request);
     }
-
-    PreviewPicture draw(const std::string& name, PreviewRequest request = {}) {
-        request.kind = previewKind(name);
-        request.around = previewKind("entries");
-        return drawPreview(loaded_.scene, settings_, cpu_, request);
-    }
-
-    LoadedScene loaded_;
-    RenderSettings settings_;
-    ThreadPool pool_{2};
-    CpuBackend cpu_{pool_};
 };
 
 TEST_F(PreviewValues, OfCellsAreTheGridsByView) {

@@ -2,15 +2,13 @@
 
 #include "core/preview/preview.h"
 
-#include "backend_cpu/cpu_backend.h"
-#include "backend_cpu/thread_pool.h"
 #include "core/explain/explained_ray.h"
 #include "core/frame/renderer.h"
 #include "core/path/tone_mapping.h"
 #include "core/preview/paint.h"
 #include "core/preview/present.h"
 #include "tests/io/input_error.h"
-#include "tests/support/golden_scenes.h"
+#include "tests/preview/preview_fixture.h"
 
 #ifdef DIRT_HAVE_EMBREE
 #include "backend_embree/embree_backend.h"
@@ -26,27 +24,9 @@ namespace {
 
 using Of = PreviewKind::Of;
 
-class Preview : public testing::Test {
+class Preview : public test::PreviewFixture {
 protected:
-    Preview()
-        : loaded_(loadScene(test::goldenFolder() / "scenes" / "maps.scene")),
-          settings_(test::goldenSettings(loaded_, 2)) {
-        settings_.grid.width = 48;
-        settings_.grid.height = 24;
-        settings_.grid.tile = 4;
-        settings_.primary = Primary::traced;
-    }
-
-    PreviewPicture draw(Backend& backend, const std::string& name, PreviewRequest request = {}) {
-        request.kind = previewKind(name);
-        request.around = previewKind("entries"); // of the overview
-        return drawPreview(loaded_.scene, settings_, backend, request);
-    }
-
-    LoadedScene loaded_;
-    RenderSettings settings_;
-    ThreadPool pool_{2};
-    CpuBackend cpu_{pool_};
+    Preview() { settings_.primary = Primary::traced; }
 };
 
 size_t coloursIn(const PreviewPicture& picture) {

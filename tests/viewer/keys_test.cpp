@@ -193,6 +193,19 @@ TEST_F(Keys, PicturesAreSavedBesideEarlierOnes) {
             EXPECT_TRUE(std::isnan(number) ? std::isnan(pixel.x) : number == (double) pixel.x);
         }
     EXPECT_GT(found, 0u);
+    // Of an overview those of its image, also where its cells and pixels are drawn as large.
+    model_->change([](ViewState& s) {
+        s.shown = previewKind("overview");
+        s.settings.grid.tile = 1, s.settings.grid.mode = ViewMode::single;
+    });
+    const auto hasImage = [&] { return model_->picture()->values.size() == 2; };
+    for (int i = 0; i < 2000 && !hasImage(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ASSERT_TRUE(hasImage());
+    EXPECT_EQ(model_->picture()->values[0].times, model_->picture()->values[1].times);
+    press(kF5);
+    EXPECT_EQ(readImage("box-view-4.exr").width, 24);
+    EXPECT_EQ(readImage("box-view-4.exr").height, 16);
 }
 
 TEST_F(Keys, WhatTheySayIsInTheLog) {
