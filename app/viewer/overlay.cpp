@@ -168,7 +168,8 @@ void drawOverlay(const Viewer& viewer, const ViewPicture* shown, double framesPe
         ImGui::TextUnformatted(
             loadingText(viewer.model.file(), loading.value_or(LoadingProgress{})).c_str());
     if (!problem.empty()) ImGui::TextColored({1.0f, 0.5f, 0.4f, 1.0f}, "%s", problem.c_str());
-    if (figures) drawFigures(viewer, *shown, framesPerSecond);
+    // The list takes the room of the figures: both do not fit into most windows.
+    if (figures && !viewer.help) drawFigures(viewer, *shown, framesPerSecond);
     if (!viewer.said.empty()) ImGui::TextUnformatted(viewer.said.c_str());
     if (viewer.help) drawKeys();
     ImGui::End();
