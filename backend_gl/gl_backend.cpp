@@ -187,11 +187,12 @@ void GlBackend::writeGrid(const Grid& grid) {
 }
 
 std::vector<BufferSize> GlBackend::memory() const {
-    std::vector<BufferSize> sizes = {{"triangle buffer", triangles_.bytes()},
-                                     {"depth bounds", bounds_.bytesOfLevels(0, 1)},
-                                     {"depth pyramid", bounds_.bytesOfLevels(1, bounds_.levels())},
-                                     {"id buffer heads", ids_.headBytes()},
-                                     {"id buffer", ids_.nodeBytes()}};
+    std::vector<BufferSize> sizes = {
+        {"triangle buffer", triangles_.bytes()},
+        {"depth bounds", bounds_.bytesOfLevels(0, 1)},
+        {"depth pyramid", bounds_.bytesOfLevels(1, bounds_.levels())},
+        {"id buffer heads", ids_.headBytes()},
+        {"id buffer", ids_.nodeBytes(), ids_.usedBytes(listEntries())}};
     for (BufferSize& size : passes_.sizes()) sizes.push_back(std::move(size));
     if (caster_.stateBytes() > 0) sizes.emplace_back("states of rays", caster_.stateBytes());
     return sizes;

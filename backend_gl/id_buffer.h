@@ -47,6 +47,7 @@ public:
     uint64_t mostNodes() const { return mostNodes_; }
     uint64_t headBytes() const;
     uint64_t nodeBytes() const { return (uint64_t) capacity_ * sizeof(Node); }
+    static uint64_t usedBytes(uint64_t entries) { return entries * sizeof(Node); }
 
 private:
     struct Node {

@@ -150,8 +150,8 @@ void GlPathBuffers::shift() {
     std::swap(current_, next_);
 }
 
-std::vector<std::pair<std::string, uint64_t>> GlPathBuffers::sizes() const {
-    std::vector<std::pair<std::string, uint64_t>> sizes;
+std::vector<BufferSize> GlPathBuffers::sizes() const {
+    std::vector<BufferSize> sizes;
     const auto add = [&sizes](const char* name, const GlBuffer& buffer) {
         if (buffer.bytes() > 0) sizes.emplace_back(name, buffer.bytes());
     };

@@ -52,7 +52,7 @@ public:
     void shift();
 
     size_t pixels() const { return pixels_; }
-    std::vector<std::pair<std::string, uint64_t>> sizes() const;
+    std::vector<BufferSize> sizes() const;
 
     /// Binds what \p first … \p first + \p count is of each buffer.
     void bind(uint32_t first, uint32_t count) const;

@@ -75,8 +75,8 @@ private:
 /// What stands between construction and tracing, without what only construction needs.
 uint64_t structureBytes(const Backend& backend) {
     uint64_t total = 0;
-    for (const auto& [name, bytes] : backend.memory())
-        if (name != "fragments") total += bytes;
+    for (const BufferSize& buffer : backend.memory())
+        if (buffer.name != "fragments") total += buffer.bytes;
     return total;
 }
 

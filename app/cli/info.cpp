@@ -116,10 +116,10 @@ Json bufferJson(const Requirements& need, const Input& input, const Backend& bac
     reasons["states of rays"] = "where rays stand between dispatches";
     reasons["embree scene"] = "Embree's copy of the triangles, and its tree";
     Json rows = Json::array();
-    for (const auto& [name, bytes] : backend.memory()) {
-        const auto known = reasons.find(name);
-        rows.push_back({{"name", name},
-                        {"bytes", bytes},
+    for (const BufferSize& buffer : backend.memory()) {
+        const auto known = reasons.find(buffer.name);
+        rows.push_back({{"name", buffer.name},
+                        {"bytes", buffer.bytes},
                         {"reason", known == reasons.end() ? "the backend's own" : known->second}});
     }
     for (const PlannedBuffer& row : planPaths(need, grid))

@@ -34,7 +34,7 @@ Json reportOf(const Input& input, const Backend& backend, const Executor& execut
 
     const std::vector<BufferSize> memory = backend.memory();
     report["memory"] = Json::object();
-    for (const auto& [name, bytes] : memory) report["memory"][name] = bytes;
+    for (const BufferSize& buffer : memory) report["memory"][buffer.name] = buffer.bytes;
     report["memory"]["total"] = totalBytes(memory);
     report["list_entries"] = backend.listEntries();
     return report;

@@ -24,6 +24,7 @@ void addView(Command program, int& status) {
     const Command command = program.addCommand("view", "walks through a scene in a window");
     const auto options = std::make_shared<ViewerOptions>();
     addCommonOptions(command, options->common);
+    command.addText("--title", options->title, "of the window (default: dirt and SCENE)");
     command.addText("--status", options->status,
                     "write what the window shows to FILE.json, with each of its frames");
     command.onRun([options, &status] {

@@ -62,8 +62,16 @@ void drawTimes(const std::vector<float>& frames) {
 void drawTables(const ViewPicture& shown) {
     for (const PassTime& pass : shown.passes)
         ImGui::Text("  %-22s %d %8.2f ms", pass.name.c_str(), pass.event, pass.ms);
-    for (const auto& [name, bytes] : shown.memory)
-        if (bytes > 0) ImGui::Text("  %-24s %8.2f MB", name.c_str(), (double) bytes / 1e6);
+    for (const BufferSize& buffer : shown.memory)
+        if (buffer.bytes > 0)
+            ImGui::Text("  %-24s %8.2f of %8.2f MB", buffer.name.c_str(),
+                        (double) buffer.used / 1e6, (double) buffer.bytes / 1e6);
+}
+
+uint64_t usedBytes(const std::vector<BufferSize>& buffers) {
+    uint64_t sum = 0;
+    for (const BufferSize& buffer : buffers) sum += buffer.used;
+    return sum;
 }
 
 void drawFigures(const Viewer& viewer, const ViewPicture& shown, double framesPerSecond) {
@@ -81,10 +89,9 @@ void drawFigures(const Viewer& viewer, const ViewPicture& shown, double framesPe
     if (!shown.build.empty())
         ImGui::Text("last whole frame: build %.1f ms, the rest %.1f ms", build,
                     totalMs(shown.passes) - build);
-    ImGui::Text("%llu list entries (%.1f MB), %.1f MB of buffers",
-                (unsigned long long) shown.listEntries,
-                (double) (shown.listEntries * sizeof(uint32_t)) / 1e6,
-                (double) totalBytes(shown.memory) / 1e6);
+    ImGui::Text("%llu list entries, %.1f MB of buffers (%.1f MB used)",
+                (unsigned long long) shown.listEntries, (double) totalBytes(shown.memory) / 1e6,
+                (double) usedBytes(shown.memory) / 1e6);
     drawTimes(viewer.frames);
     if (viewer.timers) drawTables(shown);
 }

@@ -290,6 +290,7 @@ std::vector<PathStep> ViewDrawer::pathOf(const ViewState& state, const PathAccou
 
 void ViewDrawer::finish(ViewPicture picture, const Show& show) const {
     picture.frame = input_.frame;
+    picture.box = input_.precision.box;
     picture.memory = backend_->memory();
     picture.listEntries = backend_->listEntries();
     picture.device = backend_->device();

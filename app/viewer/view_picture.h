@@ -5,6 +5,7 @@
 #include "core/preview/marks.h"
 #include "core/preview/picture.h"
 #include "core/preview/picture_values.h"
+#include "core/scene/origin.h"
 
 #include <cstdint>
 #include <string>
@@ -25,6 +26,7 @@ struct ViewPicture {
     std::vector<PictureValues> values;      ///< where it is a buffer
     uint64_t change = 0;                    ///< the last change of the state that it has
     int frame = 0;                          ///< of a scene that moves
+    Bounds box;                             ///< of all triangles, the scene's coordinates
     int width = 0, height = 0, samples = 0; ///< of the image behind it
     double error = 0.0;                     ///< relative, see ErrorEstimate
     bool done = false;                      ///< no more samples will come

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace dirt {
@@ -58,6 +60,16 @@ Image imageOf(const std::vector<PictureValues>& parts) {
     return image;
 }
 
+/// The least and the greatest depth of a box before a camera, the least not so near that a depth
+/// buffer loses its digits; far 0: all of it is behind.
+std::pair<double, double> planesOf(const Bounds& box, const Camera& camera) {
+    const glm::dvec3 eye(camera.eye), ahead = glm::normalize(glm::dvec3(camera.target) - eye);
+    const glm::dvec3 low = (box.low - eye) * ahead, high = (box.high - eye) * ahead;
+    const glm::dvec3 one(1.0);
+    const double far = std::max(glm::dot(glm::max(low, high), one), 0.0);
+    return {std::max(glm::dot(glm::min(low, high), one), 1e-5 * far), far};
+}
+
 } // namespace
 
 const PathStep* Viewer::stepOf(const ViewPicture& picture) const {
@@ -99,17 +111,22 @@ void savePicture(Viewer& viewer) {
 }
 
 void logCamera(Viewer& viewer) {
-    if (!viewer.model.loaded()) return viewer.say("there is no camera yet");
+    if (!viewer.model.loaded() || !viewer.model.picture())
+        return viewer.say("there is no camera yet");
     const Camera camera = viewer.model.state().camera;
     const glm::dvec3 origin = viewer.model.facts().origin;
     const glm::dvec3 ahead = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
     viewer.say(cameraOptions(origin, camera).substr(1));
-    char fov[32], up[96], along[96];
-    std::snprintf(fov, sizeof fov, "%.9g", camera.verticalFov);
+    char lens[96], up[96], along[96];
+    const auto [near, far] = planesOf(viewer.model.picture()->box, camera);
+    const int length = std::snprintf(lens, sizeof lens, "aperture=\"%.9g\"", camera.verticalFov);
+    if (far > 0.0) // for rasterizers: rays need no planes
+        std::snprintf(lens + length, sizeof lens - (size_t) length, " near=\"%.9g\" far=\"%.9g\"",
+                      near, far);
     std::snprintf(up, sizeof up, "%.9g,%.9g,%.9g", camera.up.x, camera.up.y, camera.up.z);
     std::snprintf(along, sizeof along, "%.9g,%.9g,%.9g", ahead.x, ahead.y, ahead.z);
-    sayPlain("<camera name=\"view\" aperture=\"" + std::string(fov) +
-             "\"/>\n<user name=\"default_user\" position=\"" + pointOption(origin, camera.eye) +
+    sayPlain("<camera name=\"view\" " + std::string(lens) +
+             "/>\n<user name=\"default_user\" position=\"" + pointOption(origin, camera.eye) +
              "\" target=\"" + pointOption(origin, camera.target) + "\" up=\"" + up +
              "\"/> <!-- looks along " + along + " -->");
 }

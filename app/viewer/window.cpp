@@ -83,7 +83,8 @@ ImTextureID textureId(GLuint texture) {
 /// The window, its events, and a picture over all of it.
 class Window {
 public:
-    Window(Viewer& viewer, int width, int height, const std::string& title) : viewer_(viewer) {
+    Window(Viewer& viewer, int width, int height, const std::string& title)
+        : viewer_(viewer), title_(title) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -127,6 +128,13 @@ public:
     Window& operator=(const Window&) = delete;
 
     bool open() const { return !glfwWindowShouldClose(window_) && !viewer_.quit; }
+
+    /// Of which the window manager is told where it is another one.
+    void name(const std::string& title) {
+        if (title == title_) return;
+        title_ = title;
+        glfwSetWindowTitle(window_, title.c_str());
+    }
 
     /// Waits for events, not longer than a picture may take to be seen, and acts on them.
     void takeEvents() {
@@ -282,6 +290,7 @@ private:
     }
 
     Viewer& viewer_;
+    std::string title_;
     GLFWwindow* window_ = nullptr;
     GLuint texture_ = 0;
     const ViewPicture* uploaded_ = nullptr;
@@ -301,13 +310,17 @@ void runViewer(const ViewerOptions& options) {
     ViewModel model(options.common);
     Viewer viewer{model};
     const ImageSize size = options.common.size.value_or(ImageSize{1024, 512});
-    Window window(viewer, size.width, size.height, "dirt: " + options.common.scene);
+    const auto title = [&] {
+        return options.title.empty() ? "dirt: " + model.file() : options.title;
+    };
+    Window window(viewer, size.width, size.height, title());
     std::shared_ptr<const ViewPicture> shown; // kept for as long as the window's texture is of it
     while (window.open()) {
         window.takeEvents();
         std::shared_ptr<const ViewPicture> newest = model.picture();
         if (!window.isDue(newest.get())) continue;
         shown = std::move(newest);
+        window.name(title());
         window.show(shown.get());
         if (!options.status.empty()) writeStatus(options.status, viewer, shown.get());
     }

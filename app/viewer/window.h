@@ -8,8 +8,8 @@ namespace dirt {
 
 struct ViewerOptions {
     CommonOptions common;
-    std::string
-        status; ///< a file that says what is shown, written again with each frame; empty: none
+    std::string title;  ///< of the window; empty: the scene's file
+    std::string status; ///< a file that says what is shown, written with each frame; empty: none
 };
 
 /// Opens a window on the scene, until it is closed. Throws CapabilityError where there is no

@@ -77,8 +77,8 @@ PathBuffers PathBuffers::packed(const PointFormat& format, const FrameGeometry& 
     return all;
 }
 
-std::vector<std::pair<std::string, uint64_t>> PathBuffers::sizes() const {
-    std::vector<std::pair<std::string, uint64_t>> sizes;
+std::vector<BufferSize> PathBuffers::sizes() const {
+    std::vector<BufferSize> sizes;
     const auto add = [&sizes](const char* name, const auto& buffer) {
         if (!buffer.empty()) sizes.emplace_back(name, buffer.size() * sizeof(buffer[0]));
     };

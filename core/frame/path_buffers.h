@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/frame/buffer_size.h"
 #include "core/frame/point_buffer.h"
 #include "core/frame/requirements.h"
 
@@ -62,7 +63,7 @@ struct PathBuffers {
     size_t pixels() const { return radiance.size(); }
 
     /// Bytes of each buffer that is not empty.
-    std::vector<std::pair<std::string, uint64_t>> sizes() const;
+    std::vector<BufferSize> sizes() const;
 
     /// Whether the path of \p pixel takes part in path event \p event.
     bool alive(int event, size_t pixel) const { return event == 0 || mask[pixel] != 0; }

@@ -1,7 +1,6 @@
 #include "core/frame/precision.h"
 
 #include "core/frame/transform_mesh.h"
-#include "core/scene/origin.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -90,6 +89,7 @@ PrecisionReach precisionReach(const Mesh& mesh, const Camera& camera, ViewMode m
     reach.withoutArea = all.withoutArea;
     reach.flattened = all.flattened;
     if (count == 0) return reach;
+    reach.box = all.box;
     reach.diagonal = glm::length(all.box.high - all.box.low);
     reach.worldSpacing = spacingAt(std::max(largest(all.box.low), largest(all.box.high)));
     reach.frameSpacing = spacingAt(all.farthest) / geometry.frame.scale;

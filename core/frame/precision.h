@@ -2,6 +2,7 @@
 
 #include "core/base/executor.h"
 #include "core/grid/geometry.h"
+#include "core/scene/origin.h"
 
 #include <cstdint>
 #include <string>
@@ -12,7 +13,8 @@ namespace dirt {
 /// How finely float32 resolves a scene. Hits are exact for the frame's geometry; this is how far
 /// that geometry may be from what the files say.
 struct PrecisionReach {
-    double diagonal = 0.0;     ///< of the triangles' box, world units
+    Bounds box;                ///< of the triangles, world space
+    double diagonal = 0.0;     ///< of that box
     double worldSpacing = 0.0; ///< of float32 at the largest world coordinate
     double frameSpacing = 0.0; ///< of float32 at the largest distance from the eye, world units
     double eyeSpacing = 0.0;   ///< of float32 at the eye's largest world coordinate

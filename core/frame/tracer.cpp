@@ -8,10 +8,4 @@ double totalMs(std::span<const PassTime> passes) {
     return sum;
 }
 
-uint64_t totalBytes(std::span<const BufferSize> buffers) {
-    uint64_t sum = 0;
-    for (const auto& [name, bytes] : buffers) sum += bytes;
-    return sum;
-}
-
 } // namespace dirt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/frame/buffer_size.h"
 #include "core/frame/settings.h"
 #include "core/grid/geometry.h"
 #include "core/scene/light.h"
@@ -21,11 +22,6 @@ struct PassTime {
 };
 
 double totalMs(std::span<const PassTime> passes);
-
-/// A named buffer and its size, for the memory table.
-using BufferSize = std::pair<std::string, uint64_t>;
-
-uint64_t totalBytes(std::span<const BufferSize> buffers);
 
 /// What finds hits: builds a structure over a frame's geometry and casts rays through it.
 /// The same rays give the same bits for any number of threads.

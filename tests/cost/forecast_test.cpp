@@ -33,7 +33,7 @@ TEST(Forecast, CountsTheRaysAndBytesOfTheFrame) {
         EXPECT_NEAR(forecast.shadowRays, (double) frame.counts.shadowRays,
                     0.25 * (double) frame.counts.shadowRays);
         uint64_t bytes = 0;
-        for (const BufferSize& buffer : other.memory()) bytes += buffer.second;
+        for (const BufferSize& buffer : other.memory()) bytes += buffer.bytes;
         EXPECT_EQ(forecast.memory, bytes);
         EXPECT_GE(forecast.frameMs, forecast.buildMs + 3 * forecast.sampleMs);
     }

@@ -191,8 +191,8 @@ TEST(GridBuilder, TellsItsMemoryWhenTheGeometryIsGone) {
     CpuBackend backend(pool);
     backend.build(soup(100, 3), Camera{}, GridSettings{});
     uint64_t bytes = 0;
-    for (const auto& [buffer, size] : backend.memory())
-        if (buffer == "triangle buffer") bytes = size;
+    for (const BufferSize& buffer : backend.memory())
+        if (buffer.name == "triangle buffer") bytes = buffer.bytes;
     EXPECT_EQ(bytes, 100 * sizeof(Triangle));
 }
 

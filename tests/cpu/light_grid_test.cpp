@@ -274,7 +274,7 @@ TEST(LightGrid, BelongsToABuildThatExpectsALight) {
     CpuBackend backend(serial);
     const auto hasLightGrid = [&] {
         for (const BufferSize& size : backend.memory())
-            if (size.first == "light grid") return size.second > 0;
+            if (size.name == "light grid") return size.bytes > 0;
         return false;
     };
     const GridSettings settings;

@@ -27,7 +27,7 @@ Frame render(const Scene& scene, RenderSettings settings, Shading shading, Execu
     settings.shading = shading;
     CpuBackend cpu(pool);
     Frame frame{Renderer(scene, settings, cpu).render().image, {}};
-    for (const auto& [name, bytes] : cpu.memory()) frame.memory[name] = bytes;
+    for (const BufferSize& buffer : cpu.memory()) frame.memory[buffer.name] = buffer.bytes;
     for (const PlannedBuffer& buffer :
          planPaths(requirementsOf(scene, settings, true), settings.grid))
         EXPECT_EQ(frame.memory[buffer.name], buffer.bytes) << buffer.name;

@@ -164,8 +164,8 @@ TEST_P(EmbreeBackendTest, DirectionsOfAnyLength) {
 TEST_P(EmbreeBackendTest, RebuildsAndTellsItsMemory) {
     const FrameGeometry big = soupWithCopies(20000), small = soupWithCopies(10);
     const auto bytes = [&] {
-        for (const auto& [name, size] : backend_.memory())
-            if (name == "embree scene") return size;
+        for (const BufferSize& buffer : backend_.memory())
+            if (buffer.name == "embree scene") return buffer.bytes;
         return uint64_t(0);
     };
     backend_.build(big, Camera{}, GridSettings{});

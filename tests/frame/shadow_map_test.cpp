@@ -296,8 +296,8 @@ size_t passesOf(const RenderResult& result, const std::string& name) {
 }
 
 uint64_t bytesOf(const Backend& backend, const std::string& name) {
-    for (const auto& [buffer, bytes] : backend.memory())
-        if (buffer == name) return bytes;
+    for (const BufferSize& buffer : backend.memory())
+        if (buffer.name == name) return buffer.bytes;
     return 0;
 }
 

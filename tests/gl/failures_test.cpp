@@ -9,6 +9,7 @@
 #include "tests/frame/shapes.h"
 #include "tests/gl/replaced.h"
 #include "tests/support/random.h"
+#include "tests/viewer/view_model_fixture.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -155,6 +156,34 @@ TEST(GlFailures, TheContextMayBeLost) {
     const std::vector<std::string> command = renderCommand(folder, litTriangle(folder));
     driver.statusQuestions = 8;
     expectFailure(dirt(command), 3, "OpenGL: the context is lost", folder);
+}
+
+/// The viewer says it, and the next change finds a new context.
+TEST(GlFailures, TheViewerGoesOnAfterALostContext) {
+    ASSERT_EQ(messageOfFrame<CapabilityError>(), "");
+    const TemporaryFolder folder;
+    CommonOptions options;
+    options.scene = litTriangle(folder);
+    options.size = ImageSize{24, 16};
+    options.samples = 1;
+    options.backend = BackendKind::gl;
+    options.quiet = options.noCache = true;
+    const Replaced status(epoxy_glGetGraphicsResetStatus, &resetStatus);
+    driver.statusQuestions = 1'000'000'000;
+    ViewModel model(options);
+    const auto before = ViewModelTest::rest(model);
+    ASSERT_TRUE(before);
+    driver.statusQuestions = 2;
+    model.change([](ViewState& s) { s.settings.grid.bins += 1; });
+    ASSERT_TRUE(ViewModelTest::comes([&] { return !model.problem().empty(); }));
+    EXPECT_TRUE(model.problem().starts_with("OpenGL: the context is lost")) << model.problem();
+    EXPECT_EQ(model.picture(), before);
+    driver.statusQuestions = 1'000'000'000;
+    model.change([](ViewState& s) { s.settings.grid.bins -= 1; });
+    const auto after = ViewModelTest::rest(model);
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->image.pixels, before->image.pixels);
+    EXPECT_EQ(model.problem(), "");
 }
 
 /// A machine without EGL, without a driver, with one that does not start, or with one of an older

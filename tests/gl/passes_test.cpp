@@ -219,8 +219,8 @@ uint64_t sceneBytes(const Scene& scene, const char* name) {
     GlBackend& gl = sharedBackend();
     const RenderSettings settings;
     gl.beginFrame(scene, settings, requirementsOf(scene, settings, true));
-    for (const auto& [buffer, bytes] : gl.memory())
-        if (buffer == name) return bytes;
+    for (const BufferSize& buffer : gl.memory())
+        if (buffer.name == name) return buffer.bytes;
     return 0;
 }
 

@@ -10,11 +10,14 @@
 
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
 #include <thread>
+
+#include <sys/resource.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -231,6 +234,46 @@ TEST_F(Keys, WhatTheySayIsInTheLog) {
         at = text.find("Z " + line, at);
         ASSERT_NE(at, text.npos) << line << text;
     }
+}
+
+/// Of what is ahead: a depth buffer's, which a rasterizer needs.
+TEST_F(Keys, TheCameraIsLoggedWithPlanesThatHoldTheScene) {
+    const auto logged = [&](glm::vec3 eye, glm::vec3 target) {
+        model_->change([&](ViewState& s) { s.camera.eye = eye, s.camera.target = target; });
+        test::CapturedStream err(stderr);
+        press(kF6);
+        return err.text();
+    };
+    const auto has = [](const std::string& text, const char* part) {
+        return text.find(part) != text.npos;
+    };
+    std::string text = logged({0, 1, 0}, {0, 1, -1});
+    EXPECT_TRUE(has(text, "\" near=\"4\" far=\"4\"/>")) << text;
+    text = logged({-3, 1, -4}, {0, 1, -4});
+    EXPECT_TRUE(has(text, "\" near=\"2\" far=\"4\"/>")) << text;
+    text = logged({0, 1, -4}, {1, 1, -4}); // within it
+    EXPECT_TRUE(has(text, "\" near=\"1e-05\" far=\"1\"/>")) << text;
+    text = logged({0, 1, 0}, {0, 1, 1});
+    EXPECT_TRUE(has(text, "<camera")) << text;
+    EXPECT_FALSE(has(text, "near")) << text;
+}
+
+TEST_F(Keys, AFullDiskIsSaidAndEndsNothing) {
+    const auto before = model_->picture();
+    std::signal(SIGXFSZ, SIG_IGN); // a limit of files, which is the disk
+    rlimit limit;
+    getrlimit(RLIMIT_FSIZE, &limit);
+    rlimit full = limit;
+    full.rlim_cur = 50;
+    setrlimit(RLIMIT_FSIZE, &full);
+    keyBinding(kF5)->press(*viewer_);
+    setrlimit(RLIMIT_FSIZE, &limit);
+    EXPECT_NE(viewer_->said.find("box-view.png: cannot write"), std::string::npos) << viewer_->said;
+    for (const auto& entry : fs::directory_iterator(folder_.path()))
+        EXPECT_EQ(entry.path().filename().string().find("view"), std::string::npos) << entry.path();
+    EXPECT_EQ(model_->picture(), before);
+    press(kF5);
+    EXPECT_EQ(viewer_->said, "saved box-view.png and .exr");
 }
 
 TEST_F(Keys, TheCameraIsLoggedAsOptionsThatGiveItAgain) {

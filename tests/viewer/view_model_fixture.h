@@ -18,7 +18,7 @@ inline constexpr const char* kFloorAndBox = "v -2 0 -4\nv 2 0 -4\nv 2 0 1\nv -2 
                                             "f 1 4 3 2\nf 5 6 7 8\n";
 
 class ViewModelTest : public testing::Test {
-protected:
+public:
     CommonOptions options(const std::string& text = kFloorAndBox) {
         CommonOptions options;
         options.scene = folder_.write("box.obj", text);
@@ -49,6 +49,7 @@ protected:
         return picture;
     }
 
+protected:
     test::TemporaryFolder folder_;
 };
 

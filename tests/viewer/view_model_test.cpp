@@ -85,6 +85,28 @@ TEST_F(ViewAtRest, WhileTheCameraMovesPicturesAreCoarse) {
     EXPECT_EQ(fine->change, change);
 }
 
+/// One that takes its time is not waited for with nothing to look at.
+TEST_F(ViewAtRest, BeforeASlowPictureThereIsACoarseOne) {
+    CommonOptions common = options();
+    common.samples = 1;
+    double ms = 0.0;
+    for (int width = 800; ms < 500.0; width *= 2) { // on however fast a machine
+        common.size = ImageSize{width, width / 2};
+        ViewModel model(common);
+        ms = rest(model)->sampleMs;
+        if (ms < 500.0) continue;
+        model.change([](ViewState& s) { s.settings.bounces = 3; });
+        const uint64_t change = model.changes();
+        std::shared_ptr<const ViewPicture> first;
+        ASSERT_TRUE(comes([&] { return (first = model.picture())->change == change; }));
+        EXPECT_LT(first->width, width);
+        EXPECT_FALSE(first->done);
+        const auto fine = rest(model);
+        ASSERT_TRUE(fine);
+        EXPECT_EQ(fine->width, width);
+    }
+}
+
 TEST_F(ViewAtRest, WhatCannotBeLoadedIsSaidAndMayComeLater) {
     CommonOptions common = options();
     common.scene = (folder_.path() / "none.obj").string();

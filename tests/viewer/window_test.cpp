@@ -176,6 +176,7 @@ TEST_F(WindowTest, EveryKeyHasItsEffect) {
 }
 
 TEST_F(WindowTest, SizesAndBackendsChange) {
+    EXPECT_TRUE(run("xdotool search --name '^dirt: .*box.obj$'"));
     for (const auto& [width, height] : {std::pair(333, 217), {701, 503}, {160, 301}}) {
         ASSERT_TRUE(run("xdotool search --name dirt windowsize --sync " + std::to_string(width) +
                         " " + std::to_string(height)));
@@ -331,9 +332,11 @@ TEST_F(WindowTest, TakesThePicturesOfTheDocument) {
     const char* const pictures = std::getenv("DIRT_VIEWER_PICTURES");
     TearDown();
     const bool isLarge = scene != nullptr;
-    open(isLarge ? scene : scene_, {"--size", isLarge ? "1280x720" : "480x320", "--spp",
-                                    isLarge ? "8" : "2", "--tile", "16"});
+    open(isLarge ? scene : scene_,
+         {"--size", isLarge ? "1280x720" : "480x320", "--spp", isLarge ? "8" : "2", "--tile", "16",
+          "--title", "dirt's pictures"});
     if (IsSkipped() || HasFatalFailure()) return;
+    EXPECT_TRUE(run("xdotool search --name \"^dirt's pictures$\""));
     const auto take = [&](const std::string& name) {
         ASSERT_TRUE(rests());
         ASSERT_TRUE(comes([&] { return now()["picture"]["done"] == true; }));
