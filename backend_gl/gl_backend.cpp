@@ -1,6 +1,5 @@
 #include "backend_gl/gl_backend.h"
 
-#include "backend_gl/proposal_test.h"
 #include "backend_gl/self_test.h"
 #include "core/base/error.h"
 
@@ -18,11 +17,12 @@ bool enableConservativeRaster() {
     return true;
 }
 
-/// Triangles where the driver rasterizes them conservatively and has shown that it misses no tile.
-Proposal chooseProposal(Programs& programs, bool& misses) {
+/// Triangles where the driver rasterizes them conservatively and has shown that no tile is missing
+/// and none comes twice.
+Proposal chooseProposal(Programs& programs, ProposalFaults& faults) {
     if (!enableConservativeRaster()) return Proposal::rectangles;
-    misses = !proposesAllTiles(programs, Proposal::triangles);
-    if (!misses) return Proposal::triangles;
+    faults = proposalFaults(programs, Proposal::triangles);
+    if (!faults.any()) return Proposal::triangles;
     glDisable(GL_CONSERVATIVE_RASTERIZATION_NV);
     return Proposal::rectangles;
 }
@@ -52,7 +52,7 @@ void checkTextures(const Grid& grid) {
 
 GlBackend::GlBackend(const GlOptions& options)
     : context_(options.device), programs_(options.shaders),
-      proposal_(options.proposal ? *options.proposal : chooseProposal(programs_, missesTiles_)),
+      proposal_(options.proposal ? *options.proposal : chooseProposal(programs_, proposalFaults_)),
       arithmeticFaults_(dirt::arithmeticFaults(programs_)), triangles_(programs_),
       bounds_(programs_), ids_(programs_, options.poolNodes, options.segmentBits),
       caster_(programs_), passes_(programs_) {
@@ -69,7 +69,10 @@ GlBackend::~GlBackend() {
 std::string GlBackend::device() const {
     std::string text = context_.name();
     if (!arithmeticFaults_.empty()) text += ", not IEEE in the " + arithmeticFaults_ + " stage";
-    if (missesTiles_) text += ", whose conservative rasterization misses tiles and is not used";
+    if (proposalFaults_.any())
+        text += ", whose conservative rasterization misses " +
+                std::to_string(proposalFaults_.missed) + " and repeats " +
+                std::to_string(proposalFaults_.repeated) + " tiles of a test and is not used";
     return text;
 }
 

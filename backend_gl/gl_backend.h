@@ -6,6 +6,7 @@
 #include "backend_gl/id_buffer.h"
 #include "backend_gl/pass_timer.h"
 #include "backend_gl/programs.h"
+#include "backend_gl/proposal_test.h"
 #include "backend_gl/ray_caster.h"
 #include "backend_gl/sample_passes.h"
 #include "backend_gl/triangle_buffer.h"
@@ -37,7 +38,7 @@ public:
 
     std::string name() const override { return "gl"; }
     /// Renderer and version; with what is wrong with it: the stages whose arithmetic is not IEEE,
-    /// conservative rasterization that misses tiles.
+    /// conservative rasterization with faults.
     std::string device() const override;
     bool isIeee() const override { return arithmeticFaults_.empty(); }
     void reloadShaders() override;
@@ -100,7 +101,7 @@ private:
     GlContext context_;
     PassTimer timer_;
     Programs programs_;
-    bool missesTiles_ = false; ///< the driver's conservative rasterization
+    ProposalFaults proposalFaults_; ///< of the driver's conservative rasterization
     Proposal proposal_;
     std::string arithmeticFaults_;
     TriangleBuffer triangles_;

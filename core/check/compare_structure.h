@@ -16,7 +16,8 @@ void compareTriangles(const FrameGeometry& source, const FrameGeometry& tested, 
 /// Depth bounds at one level of the pyramids of all views.
 void compareLevel(const Grid& source, const Grid& tested, size_t level, int ulps, CheckRow& row);
 
-/// Lists as sets, entry by entry. \p geometry is what both were built from.
+/// Lists in any order, entry by entry; what is listed twice is an entry in addition. \p geometry is
+/// what both were built from.
 void compareLists(const FrameGeometry& geometry, const Grid& source, const Grid& tested, int ulps,
                   CheckRow& row);
 

@@ -17,8 +17,8 @@ JudgedPass judgeFillDepth(const ReplayInput& input, Executor& executor);
 /// FillDepthMipmap: each cell is the minimum and maximum of those below it, as dumped.
 JudgedPass judgeFillDepthMipmap(const ReplayInput& input);
 
-/// FillPrimitives: the lists as sets, over the bounds as dumped. A bin whose border is within
-/// rounding of an interval's end may have the primitive or not.
+/// FillPrimitives: the lists in any order, with each entry once, over the bounds as dumped. A bin
+/// whose border is within rounding of an interval's end may have the primitive or not.
 JudgedPass judgeFillPrimitives(const ReplayInput& input, Executor& executor);
 
 /// The triangles at the eye, where the dump says them.

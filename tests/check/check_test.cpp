@@ -320,6 +320,25 @@ TEST(Check, CountsTheWrongEntriesOfTheConstruction) {
                  settings);
 
     fault = {"FillPrimitives", -1};
+    fault.spoilGrid = [](Grid& grid) { // lists the last entry of every tenth list twice
+        std::vector<uint32_t> ids, heads{0};
+        for (size_t cell = 0; cell + 1 < grid.heads.size(); ++cell) {
+            const auto list = std::span(grid.ids).subspan(grid.heads[cell],
+                                                          grid.heads[cell + 1] - grid.heads[cell]);
+            ids.insert(ids.end(), list.begin(), list.end());
+            if (cell % 10 == 0 && !list.empty()) ids.push_back(list.back());
+            heads.push_back((uint32_t) ids.size());
+        }
+        grid.ids = ids;
+        grid.heads = heads;
+    };
+    Grid more = cpu.grid();
+    fault.spoilGrid(more);
+    ASSERT_GT(more.ids.size(), cpu.grid().ids.size());
+    expectCaught(fault, {{"FillPrimitives: lists", more.ids.size() - cpu.grid().ids.size()}},
+                 settings);
+
+    fault = {"FillPrimitives", -1};
     fault.spoilGrid = [](Grid& grid) { grid.atEye = {1, 2}; };
     expectCaught(fault, {{"FillPrimitives: triangles at the eye", 2}}, settings);
 

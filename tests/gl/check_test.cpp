@@ -4,11 +4,12 @@
 #include "backend_cpu/cpu_backend.h"
 #include "backend_gl/gl_backend.h"
 #include "core/check/check.h"
-#include "tests/gl/edited_shaders.h"
+#include "tests/gl/overlapping_halves.h"
 #include "tests/support/small_scenes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <set>
@@ -103,10 +104,14 @@ uint64_t wrongCells(const Grid& right, const Grid& found, size_t level) {
 }
 
 uint64_t inOneAlone(std::span<const uint32_t> left, std::span<const uint32_t> right) {
-    const std::set<uint32_t> a(left.begin(), left.end()), b(right.begin(), right.end());
+    const std::multiset<uint32_t> a(left.begin(), left.end()), b(right.begin(), right.end());
+    std::set<uint32_t> ids(left.begin(), left.end());
+    ids.insert(right.begin(), right.end());
     uint64_t count = 0;
-    for (const uint32_t id : a) count += !b.contains(id);
-    for (const uint32_t id : b) count += !a.contains(id);
+    for (const uint32_t id : ids) {
+        const size_t in[] = {a.count(id), b.count(id)};
+        count += std::max(in[0], in[1]) - std::min(in[0], in[1]);
+    }
     return count;
 }
 
@@ -221,12 +226,27 @@ TEST(Check, ToleratesALooseProposalAndCatchesATightOne) {
     EXPECT_EQ(caughtFault("propose_tiles.geom", "ivec2 columns = ",
                           "ivec2 columns = true ? ivec2(0, grid.columns - 1) : "),
               Rows{});
-    expectCountedFault("propose_tiles.geom", "vec2(columns.y + 1", "vec2(columns.y", kDecision);
+    expectCountedFault("propose_tiles.geom", "columns.y - columns.x + 1", "columns.y - columns.x",
+                       kDecision);
     GlOptions plain; // triangles, without conservative rasterization where this is tested
     plain.proposal = Proposal::triangles;
     if (GlContext context; epoxy_has_gl_extension("GL_NV_conservative_raster"))
         GTEST_SKIP() << "this driver rasterizes conservatively";
     expectCounted(plain, kDecision);
+}
+
+/// As where rasterization is conservative: a tile offered twice is listed once, and a list with an
+/// entry too many is seen.
+TEST(Check, ListsOnceWhatIsProposedTwiceAndCatchesRepeatedEntries) {
+    const EditedShaders shaders;
+    overlapHalves(shaders);
+    GlOptions options;
+    options.shaders = shaders.files();
+    options.proposal = Proposal::triangles;
+    expectCounted(options, {});
+    ownAllTiles(shaders);
+    options.shaders = shaders.files();
+    expectCounted(options, {"FillPrimitives: lists"});
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "backend_gl/proposal_test.h"
 #include "backend_gl/self_test.h"
 #include "core/base/error.h"
+#include "tests/gl/overlapping_halves.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -74,12 +75,24 @@ TEST(GlContext, ItsSelfTestCanFail) {
 }
 
 /// What the driver is asked before it may draw triangles for tiles; without conservative
-/// rasterization they miss some.
-TEST(GlContext, ItsProposalsAreTestedForMissingTiles) {
+/// rasterization they miss some. Both halves of a rectangle may be offered all its tiles.
+TEST(GlContext, ItsProposalsAreTestedForMissingAndRepeatedTiles) {
     GlContext context;
     Programs programs{ShaderFiles()};
-    EXPECT_TRUE(proposesAllTiles(programs, Proposal::rectangles));
-    EXPECT_FALSE(proposesAllTiles(programs, Proposal::triangles));
+    EXPECT_FALSE(proposalFaults(programs, Proposal::rectangles).any());
+    const ProposalFaults triangles = proposalFaults(programs, Proposal::triangles);
+    EXPECT_GT(triangles.missed, 0u);
+    EXPECT_EQ(triangles.repeated, 0u);
+
+    const EditedShaders shaders;
+    overlapHalves(shaders);
+    Programs overlapping{shaders.files()};
+    EXPECT_FALSE(proposalFaults(overlapping, Proposal::triangles).any());
+    ownAllTiles(shaders);
+    Programs repeating{shaders.files()};
+    const ProposalFaults twice = proposalFaults(repeating, Proposal::triangles);
+    EXPECT_EQ(twice.missed, 0u);
+    EXPECT_GT(twice.repeated, 1000u);
     context.check();
 }
 

@@ -17,7 +17,7 @@ public:
             folder_.write(file, ShaderFiles().read(file));
     }
     void replace(const std::string& file, const std::string& from, const std::string& to) const {
-        std::string source = ShaderFiles().read(file);
+        std::string source = files().read(file); // one edit after the other
         const size_t at = source.find(from);
         ASSERT_NE(at, source.npos) << "'" << from << "' is no longer in " << file;
         folder_.write(file, source.replace(at, from.size(), to));
