@@ -1,5 +1,6 @@
 #include "backend_gl/gl_backend.h"
 
+#include "backend_gl/loop_probe.h"
 #include "backend_gl/self_test.h"
 #include "core/base/error.h"
 
@@ -55,7 +56,8 @@ GlBackend::GlBackend(const GlOptions& options)
       proposal_(options.proposal ? *options.proposal : chooseProposal(programs_, proposalFaults_)),
       arithmeticFaults_(dirt::arithmeticFaults(programs_)), triangles_(programs_),
       bounds_(programs_), ids_(programs_, options.poolNodes, options.segmentBits),
-      caster_(programs_), passes_(programs_) {
+      caster_(programs_, options.resumes ? *options.resumes : leavesLoops(programs_)),
+      passes_(programs_) {
     context_.check();
 }
 

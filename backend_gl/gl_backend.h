@@ -18,8 +18,10 @@ namespace dirt {
 
 /// What a GlBackend starts with.
 struct GlOptions {
-    int device = -1;              ///< a number of listGlDevices(); -1: the first that works
-    ShaderFiles shaders = {};     ///< built in, unless DIRT_SHADERS names a folder
+    int device = -1;          ///< a number of listGlDevices(); -1: the first that works
+    ShaderFiles shaders = {}; ///< built in, unless DIRT_SHADERS names a folder
+    /// Default: rays go on in further dispatches where the driver leaves loops.
+    std::optional<bool> resumes = {};
     uint32_t poolNodes = 1 << 20; ///< of the id buffer; it grows where that is too few
     /// Default: triangles where the driver has GL_NV_conservative_raster and _dilate, and they miss
     /// no tile of a test.

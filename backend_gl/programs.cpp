@@ -68,6 +68,10 @@ std::string cases() {
 
 } // namespace
 
+ProgramSource loopProbeSource() {
+    return {"loop probe", {"loop_probe.comp"}, {}, {}};
+}
+
 ProgramSource transformSource() {
     return {"transform", {"transform.vert"}, {}, {"corner"}};
 }
@@ -104,11 +108,12 @@ ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segment
             {}};
 }
 
-ProgramSource traceSource(Search search, Precision precision, int segments, int segmentBits,
-                          const SurfaceVariant* cutOuts) {
+ProgramSource traceSource(Search search, Precision precision, bool resumes, int segments,
+                          int segmentBits, const SurfaceVariant* cutOuts) {
     std::vector<std::string> defines = {define("DIRT_ANY_HIT", search == Search::any),
                                         define("DIRT_PATHS", search == Search::paths),
                                         define("DIRT_EXACT", precision == Precision::exact),
+                                        define("DIRT_RESUMES", resumes),
                                         define("DIRT_SEGMENTS", segments),
                                         define("DIRT_SEGMENT_BITS", segmentBits),
                                         define("DIRT_CUT_OUTS", cutOuts != nullptr)};

@@ -48,6 +48,7 @@ struct SurfaceVariant {
 
 /// The programs of the passes. Variants differ by what the frame asks for, and by the driver's
 /// limits: \p segments of 2^\p segmentBits nodes each. \p format: how points are kept.
+ProgramSource loopProbeSource();
 ProgramSource transformSource();
 ProgramSource largestCoordinateSource();
 ProgramSource scaleTrianglesSource();
@@ -55,9 +56,10 @@ ProgramSource trianglesAtEyeSource();
 ProgramSource fillDepthSource(ViewMode mode, Proposal proposal);
 ProgramSource fillDepthMipmapSource();
 ProgramSource fillPrimitivesSource(ViewMode mode, Proposal proposal, int segments, int segmentBits);
-/// \p cutOuts: surfaces with holes; else null.
-ProgramSource traceSource(Search search, Precision precision, int segments, int segmentBits,
-                          const SurfaceVariant* cutOuts = nullptr);
+/// \p resumes: in turns, keeping the state of rays in between. \p cutOuts: surfaces with holes;
+/// else null.
+ProgramSource traceSource(Search search, Precision precision, bool resumes, int segments,
+                          int segmentBits, const SurfaceVariant* cutOuts = nullptr);
 ProgramSource clearPathsSource(const PointFormat& format, bool rays, bool current);
 ProgramSource depthMaskSource(const PointFormat& format);
 ProgramSource raysSource(const PointFormat& format, bool scatters, bool gloss);

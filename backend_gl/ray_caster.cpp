@@ -4,14 +4,19 @@
 #include "core/base/error.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace dirt {
 namespace {
 
 /// What trace.comp has before the rays' states.
 struct StatesHeader {
-    uint32_t unfinished, cut, traced, found;
+    uint32_t traced, found;
+    uint32_t unfinished, cut; ///< where rays go on in further dispatches
 };
+
+/// Of a ray in one dispatch; fewer where loops are left before that.
+constexpr uint32_t kTurns = 1 << 10;
 
 /// Of trace.comp's State.
 constexpr size_t kStateBytes = 56;
@@ -26,7 +31,7 @@ void RayCaster::begin(const TracedStructure& structure, Search search) {
     glBindTextures(2, 4, textures);
     structure.ids.bindNodes();
     const GridSettings& settings = structure.settings;
-    programs_.use(traceSource(search, settings.precision, structure.ids.segments(),
+    programs_.use(traceSource(search, settings.precision, resumes_, structure.ids.segments(),
                               structure.ids.segmentBits(),
                               structure.cutOuts ? &structure.cutOuts->variant() : nullptr));
     if (structure.cutOuts) structure.cutOuts->bind();
@@ -36,12 +41,35 @@ void RayCaster::begin(const TracedStructure& structure, Search search) {
                                                            : std::min(settings.maxMip, levels));
     glUniform1i(2, settings.mode == ViewMode::single);
     glUniform1i(3, (GLint) structure.views.atEye().size());
+}
+
+/// Dispatches until all rays are through. What a ray did in a dispatch that was cut short does not
+/// count, and fewer turns follow: until nothing is cut, as hard rays are few.
+void RayCaster::resume(uint32_t count) {
     glUniform1ui(5, 3);
+    uint32_t turns = kTurns;
+    StatesHeader header;
+    do {
+        header = {}; // what is not read, as the driver has given up, ends the search
+        const uint32_t none[2] = {};
+        states_.write(offsetof(StatesHeader, unfinished), sizeof none, none);
+        glUniform1ui(4, turns);
+        glDispatchCompute(groupsOf(count), 1, 1);
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+        states_.read(0, sizeof header, &header);
+        if (header.cut == 0) {
+            turns = std::min(2 * turns, kTurns);
+            continue;
+        }
+        if (turns == 1)
+            throw CapabilityError("this OpenGL driver ends loops before they are through");
+        turns /= 2;
+    } while (header.unfinished > 0);
 }
 
 CastCounts RayCaster::run(const BufferRange& rays, const BufferRange& hits, uint32_t count,
                           GLuint block) {
-    const size_t bytes = sizeof(StatesHeader) + count * kStateBytes;
+    const size_t bytes = sizeof(StatesHeader) + (resumes_ ? count * kStateBytes : 0);
     if (states_.bytes() < bytes) {
         states_ = {};
         states_ = GlBuffer(bytes);
@@ -52,20 +80,14 @@ CastCounts RayCaster::run(const BufferRange& rays, const BufferRange& hits, uint
     hits.bind(block + 1);
     BufferRange{states_.id(), 0, bytes}.bind(block + 2);
     glUniform1ui(0, count);
-    StatesHeader header;
-    do {
-        header = {}; // what is not read, as the driver has given up, ends the search
-        const uint32_t none[2] = {};
-        states_.write(0, sizeof none, none);
-        glUniform1ui(4, turns_);
+    if (resumes_) {
+        resume(count);
+    } else {
         glDispatchCompute(groupsOf(count), 1, 1);
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-        states_.read(0, sizeof header, &header);
-        if (header.cut == 0) continue;
-        if (turns_ == 1)
-            throw CapabilityError("this OpenGL driver ends loops before they are through");
-        turns_ /= 2;
-    } while (header.unfinished > 0);
+    }
+    StatesHeader header{};
+    states_.read(0, sizeof header, &header);
     return {header.traced, header.found};
 }
 

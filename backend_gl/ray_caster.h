@@ -33,13 +33,16 @@ struct CastCounts {
     uint64_t hits = 0;
 };
 
-/// Casts rays that lie on the device: trace.comp, in as many dispatches as the rays need.
+/// Casts rays that lie on the device: trace.comp, in one dispatch, or where the driver leaves loops
+/// in as many as the rays need.
 class RayCaster {
 public:
     /// Rays of one cast, at most: their states are kept between dispatches.
     static constexpr uint32_t kMostRays = 1u << 18;
 
-    explicit RayCaster(Programs& programs) : programs_(programs) {}
+    /// \p resumes: as the driver leaves loops before they are through, rays go on in further
+    /// dispatches.
+    RayCaster(Programs& programs, bool resumes) : programs_(programs), resumes_(resumes) {}
 
     /// Nearest hits, or any hits before each ray's maxT, of \p count RayRecords.
     CastCounts cast(const TracedStructure& structure, Search search, const BufferRange& rays,
@@ -54,9 +57,11 @@ private:
     void begin(const TracedStructure& structure, Search search);
     CastCounts run(const BufferRange& rays, const BufferRange& hits, uint32_t count, GLuint block);
 
+    void resume(uint32_t count);
+
     Programs& programs_;
-    uint32_t turns_ = 1 << 10; ///< of a ray in one dispatch; fewer where the driver cuts loops
-    GlBuffer states_;
+    bool resumes_;
+    GlBuffer states_; ///< of the rays, after the counts
 };
 
 } // namespace dirt

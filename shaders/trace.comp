@@ -1,8 +1,8 @@
 #version 450 core
 // Trace and Visibility: nearest hits of rays, or (DIRT_ANY_HIT 1) whether they hit anything. The
-// traversal of core/trace/traverse.cpp, in turns, so that it can be interrupted: a driver may stop a
-// shader that runs for long, and llvmpipe (Mesa 22.3) silently leaves all loops once a shader has
-// gone round 65535 times in all. So a ray keeps its state between dispatches.
+// traversal of core/trace/traverse.cpp. Where the driver leaves loops before they are through
+// (DIRT_RESUMES 1; llvmpipe does, without a word, once a shader has gone round 65535 times in all)
+// in turns, and a ray keeps its state between dispatches.
 //
 // Rays that run side by side all wait for the one that does something else. So there is a loop for
 // each thing to do, cheap ones inside: walk to a tile; go through its lists to a triangle that the
@@ -15,6 +15,7 @@
 
 layout(local_size_x = 64) in;
 
+#if DIRT_RESUMES
 /// Where a ray's search stands.
 struct State {
     int phase;
@@ -26,6 +27,7 @@ struct State {
     int bin;
     uint located;
 };
+#endif
 
 layout(std430, binding = DIRT_SEGMENTS) readonly buffer Rays {
 #if DIRT_PATHS
@@ -38,11 +40,13 @@ layout(std430, binding = DIRT_SEGMENTS + 1) buffer Hits {
     Hit hits[];
 };
 layout(std430, binding = DIRT_SEGMENTS + 2) buffer States {
-    uint unfinished; // rays that need another dispatch,
-    uint cut;        // of these, those whose loops were cut short: they stay as they were
     uint traced;     // rays that have a direction
     uint found;      // of these, those that have hit something
+#if DIRT_RESUMES
+    uint unfinished; // rays that need another dispatch,
+    uint cut;        // of these, those whose loops were cut short: they stay as they were
     State states[];
+#endif
 };
 layout(binding = 4) uniform usampler2DArray headTexture;
 layout(binding = 5) uniform usamplerBuffer atEye;
@@ -53,8 +57,12 @@ layout(binding = 8) uniform usamplerBuffer mask; // of all pixels
 layout(location = 0) uniform uint count;
 layout(location = 1) uniform int topLevel;
 layout(location = 3) uniform int atEyeCount;
+#if DIRT_RESUMES
 layout(location = 4) uniform uint turns; // of one dispatch
 layout(location = 5) uniform uint probe; // any number above 1
+#else
+const uint turns = 0xffffffffu;
+#endif
 layout(location = 6) uniform bool masked; // paths: only those that the mask leaves alive
 layout(location = 7) uniform uint firstPixel; // paths: that of the first ray
 
@@ -279,6 +287,12 @@ Walker firstTurn(Search search) {
     return w;
 }
 
+void report(RayRecord given, Search search) {
+    if (given.direction != vec3(0.0)) atomicAdd(traced, 1u);
+    if (search.best.primitive != kNoPrimitive) atomicAdd(found, 1u);
+}
+
+#if DIRT_RESUMES
 /// Where a ray was at the end of the last dispatch.
 Walker resumed(State state, inout Search search, Hit best) {
     search.best = best;
@@ -307,9 +321,7 @@ Walker resumed(State state, inout Search search, Hit best) {
     return w;
 }
 
-void main() {
-    uint index = gl_GlobalInvocationID.x;
-    if (index >= count) return;
+void trace(uint index) {
     State state = states[index];
     if (state.phase == kDone) return;
     RayRecord given = rayOf(index);
@@ -326,10 +338,23 @@ void main() {
     if (rounds != probe) atomicAdd(cut, 1u);
     if (rounds != probe || w.phase != kDone) atomicAdd(unfinished, 1u);
     if (rounds != probe) return;
-    if (state.phase == kBegin && given.direction != vec3(0.0)) atomicAdd(traced, 1u);
-    if (w.phase == kDone && search.best.primitive != kNoPrimitive) atomicAdd(found, 1u);
+    if (w.phase == kDone) report(given, search);
     hits[index] = search.best;
     states[index] = State(w.phase, w.pendingViews, w.walk.view, w.level, w.at, w.walk.tile,
                           unpackDouble2x32(w.walk.begin),
                           unpackDouble2x32(w.walk.depth), w.bin, search.located ? 1u : 0u);
+}
+#else
+void trace(uint index) {
+    RayRecord given = rayOf(index);
+    Search search = makeSearch(given);
+    Walker w = firstTurn(search);
+    run(w, search);
+    report(given, search);
+    hits[index] = search.best;
+}
+#endif
+
+void main() {
+    if (gl_GlobalInvocationID.x < count) trace(gl_GlobalInvocationID.x);
 }

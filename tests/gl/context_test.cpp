@@ -1,6 +1,7 @@
 // The OpenGL context, and the way from a shader's files to the compiler and back to its lines.
 
 #include "backend_gl/gl_backend.h"
+#include "backend_gl/loop_probe.h"
 #include "backend_gl/proposal_test.h"
 #include "backend_gl/self_test.h"
 #include "core/base/error.h"
@@ -93,6 +94,23 @@ TEST(GlContext, ItsProposalsAreTestedForMissingAndRepeatedTiles) {
     const ProposalFaults twice = proposalFaults(repeating, Proposal::triangles);
     EXPECT_EQ(twice.missed, 0u);
     EXPECT_GT(twice.repeated, 1000u);
+    context.check();
+}
+
+/// Whether rays need several dispatches.
+TEST(GlContext, ItsLoopsAreTested) {
+    const GlContext context;
+    Programs programs{ShaderFiles()};
+    const bool isLlvmpipe = context.name().find("llvmpipe") != std::string::npos;
+    const bool isKnown = context.name().find("Mesa 22.3") != std::string::npos;
+    if (!isLlvmpipe || isKnown) {
+        EXPECT_EQ(leavesLoops(programs), isLlvmpipe);
+    }
+    // What goes round 65535 times in all is through on any.
+    const EditedShaders shaders;
+    shaders.replace("loop_probe.comp", "i < rounds", "i < min(rounds, 60000u)");
+    Programs shorter{shaders.files()};
+    EXPECT_TRUE(leavesLoops(shorter));
     context.check();
 }
 

@@ -80,22 +80,22 @@ void addPathPasses(std::vector<ProgramSource>& all) {
         all.insert(all.end(), {fetchAtEyeSource(surfaces), directVisibilitySource(surfaces),
                                shadowMapSource(surfaces)});
         for (Search search : {Search::any, Search::paths})
-            all.push_back(traceSource(search, Precision::exact, 13, 24, &surfaces));
+            all.push_back(traceSource(search, Precision::exact, true, 13, 24, &surfaces));
         for (ViewMode mode : {ViewMode::full, ViewMode::single})
             all.push_back(rasterFetchSource(mode, surfaces));
     }
 }
 
 std::vector<ProgramSource> allPrograms() {
-    std::vector<ProgramSource> all = {transformSource(),       largestCoordinateSource(),
-                                      scaleTrianglesSource(),  trianglesAtEyeSource(),
-                                      fillDepthMipmapSource(), selfTestRasterSource(),
-                                      selfTestComputeSource()};
+    std::vector<ProgramSource> all = {loopProbeSource(),         transformSource(),
+                                      largestCoordinateSource(), scaleTrianglesSource(),
+                                      trianglesAtEyeSource(),    fillDepthMipmapSource(),
+                                      selfTestRasterSource(),    selfTestComputeSource()};
     for (Search search : {Search::nearest, Search::any, Search::paths})
         for (Precision precision : {Precision::exact, Precision::fast})
             for (int segments : {1, kMostSegments})
                 if (fullTests() || (precision == Precision::exact) == (segments == 1))
-                    all.push_back(traceSource(search, precision, segments, 24));
+                    all.push_back(traceSource(search, precision, segments == 1, segments, 24));
     addPathPasses(all);
     for (ViewMode mode : {ViewMode::full, ViewMode::single})
         for (Proposal proposal : {Proposal::rectangles, Proposal::triangles}) {
