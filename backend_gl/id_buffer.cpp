@@ -78,7 +78,7 @@ void IdBuffer::setCapacity(uint64_t nodes) {
 void IdBuffer::count(const TriangleBuffer& triangles, ViewMode mode, Proposal proposal) {
     const uint32_t zero[3] = {};
     counters_.write(0, sizeof zero, zero);
-    programs_.use(fillPrimitivesSource(mode, proposal, segmentLimit_, segmentBits_));
+    programs_.use(fillPrimitivesSource(mode, proposal, segments(), segmentBits_));
     glUniform1ui(0, capacity_);
     bindNodes();
     triangles.draw();
@@ -163,11 +163,8 @@ void IdBuffer::write(const Grid& grid) {
 }
 
 void IdBuffer::bindNodes() const {
-    // Segments that the pool has not got are not touched, but something has to be bound.
-    for (int i = 0; i < segmentLimit_; ++i)
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, (GLuint) i,
-                         (size_t) i < segments_.size() ? segments_[(size_t) i].id()
-                                                       : counters_.id());
+    for (int i = 0; i < segments(); ++i)
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, (GLuint) i, segments_[(size_t) i].id());
 }
 
 uint64_t IdBuffer::headBytes() const {

@@ -39,7 +39,8 @@ public:
     /// Binds the pool as storage blocks 0 … segments() − 1.
     void bindNodes() const;
     GLuint heads() const { return heads_.id(); }
-    int segments() const { return segmentLimit_; }
+    /// That the pool has: shaders go through all of them for each node.
+    int segments() const { return (int) segments_.size(); }
     int segmentBits() const { return segmentBits_; }
 
     const ListCounts& counts() const { return counts_; }

@@ -112,14 +112,14 @@ ProgramSource traceSource(Search search, Precision precision, bool resumes, int 
                           int segmentBits, const SurfaceVariant* cutOuts) {
     std::vector<std::string> defines = {define("DIRT_ANY_HIT", search == Search::any),
                                         define("DIRT_PATHS", search == Search::paths),
-                                        define("DIRT_EXACT", precision == Precision::exact),
                                         define("DIRT_RESUMES", resumes),
                                         define("DIRT_SEGMENTS", segments),
                                         define("DIRT_SEGMENT_BITS", segmentBits),
                                         define("DIRT_CUT_OUTS", cutOuts != nullptr)};
     if (cutOuts)
         for (std::string& line : surfaceDefines(*cutOuts)) defines.push_back(std::move(line));
-    return {search == Search::any ? "Visibility" : "Trace", {"trace.comp"}, std::move(defines), {}};
+    const char* const file = precision == Precision::exact ? "trace.comp" : "trace_fast.comp";
+    return {search == Search::any ? "Visibility" : "Trace", {file}, std::move(defines), {}};
 }
 
 ProgramSource clearPathsSource(const PointFormat& format, bool rays, bool current) {

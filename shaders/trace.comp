@@ -1,13 +1,14 @@
 #version 450 core
-// Trace and Visibility: nearest hits of rays, or (DIRT_ANY_HIT 1) whether they hit anything. The
-// traversal of core/trace/traverse.cpp. Where the driver leaves loops before they are through
-// (DIRT_RESUMES 1; llvmpipe does, without a word, once a shader has gone round 65535 times in all)
-// in turns, and a ray keeps its state between dispatches.
+// Trace and Visibility of --precision exact: nearest hits of rays, or (DIRT_ANY_HIT 1) whether they
+// hit anything. The traversal of core/trace/traverse.cpp. Where the driver leaves loops before they
+// are through (DIRT_RESUMES 1; llvmpipe does, without a word, once a shader has gone round 65535 times
+// in all) in turns, and a ray keeps its state between dispatches.
 //
 // Rays that run side by side all wait for the one that does something else. So there is a loop for
 // each thing to do, cheap ones inside: walk to a tile; go through its lists to a triangle that the
 // float filter does not refuse; decide that one exactly, which is long and rare.
 
+#include "include/cast_rays.glsl"
 #include "include/search.glsl"
 #include "include/view_walk.glsl"
 #include "include/nodes.glsl"
@@ -29,16 +30,6 @@ struct State {
 };
 #endif
 
-layout(std430, binding = DIRT_SEGMENTS) readonly buffer Rays {
-#if DIRT_PATHS
-    PathRay rays[];
-#else
-    RayRecord rays[];
-#endif
-};
-layout(std430, binding = DIRT_SEGMENTS + 1) buffer Hits {
-    Hit hits[];
-};
 layout(std430, binding = DIRT_SEGMENTS + 2) buffer States {
     uint traced;     // rays that have a direction
     uint found;      // of these, those that have hit something
@@ -50,11 +41,7 @@ layout(std430, binding = DIRT_SEGMENTS + 2) buffer States {
 };
 layout(binding = 4) uniform usampler2DArray headTexture;
 layout(binding = 5) uniform usamplerBuffer atEye;
-#if DIRT_PATHS
-layout(binding = 8) uniform usamplerBuffer mask; // of all pixels
-#endif
 
-layout(location = 0) uniform uint count;
 layout(location = 1) uniform int topLevel;
 layout(location = 3) uniform int atEyeCount;
 #if DIRT_RESUMES
@@ -63,8 +50,6 @@ layout(location = 5) uniform uint probe; // any number above 1
 #else
 const uint turns = 0xffffffffu;
 #endif
-layout(location = 6) uniform bool masked; // paths: only those that the mask leaves alive
-layout(location = 7) uniform uint firstPixel; // paths: that of the first ray
 
 // What a ray is about to do; it begins with the first. A search that is interrupted in a list opens
 // its tile again.
@@ -258,16 +243,6 @@ void run(inout Walker w, inout Search search) {
         }
         if (candidate.id != kNoPrimitive) testCandidate(w, search, candidate);
     }
-}
-
-RayRecord rayOf(uint index) {
-#if DIRT_PATHS
-    PathRay ray = rays[index];
-    bool alive = !masked || texelFetch(mask, int(firstPixel + index)).x != 0u;
-    return RayRecord(ray.origin, ray.skip, alive ? ray.direction : vec3(0.0), 0.0);
-#else
-    return rays[index];
-#endif
 }
 
 /// Where a ray begins.

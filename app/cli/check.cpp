@@ -135,6 +135,9 @@ Json meanJson(glm::dvec3 mean) {
 bool runCheck(const CheckOptions& options) {
     if (options.backends.size() != 2)
         throw InputError("--backends: two of cpu, gl, embree, as in cpu,gl");
+    if (options.common.precision == Precision::fast)
+        throw InputError("check: --precision fast promises nothing that two backends could be "
+                         "compared by (dirt verify measures what it misses)");
     if (options.backends[0] == options.backends[1])
         sayWarning("--backends " + options.backends[0] + "," + options.backends[1] +
                        ": a backend is compared with itself",

@@ -3,17 +3,9 @@
 
 #include "include/arithmetic.glsl"
 #include "include/determinants.glsl"
+#include "include/rays.glsl"
 #include "include/triangles.glsl"
 #include "shared/margins.h"
-
-struct Ray {
-    vec3 origin, direction;
-    uint skip;
-};
-
-struct TriangleHit {
-    float t, u, v;
-};
 
 dvec3 crossProduct(dvec3 a, dvec3 b) {
     precise dvec3 n = dvec3(a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y);
@@ -185,11 +177,4 @@ bool intersect(Ray ray, Triangle triangle, out TriangleHit hit, out dvec3 weight
 bool intersect(Ray ray, Triangle triangle, out TriangleHit hit) {
     dvec3 weights;
     return intersect(ray, triangle, hit, weights);
-}
-
-/// Whether two triangles have exactly the same three vertices, in any order.
-bool sameVertices(Triangle x, Triangle y) {
-    return (x.a == y.a && (x.b == y.b && x.c == y.c || x.b == y.c && x.c == y.b)) ||
-           (x.a == y.b && (x.b == y.c && x.c == y.a || x.b == y.a && x.c == y.c)) ||
-           (x.a == y.c && (x.b == y.a && x.c == y.b || x.b == y.b && x.c == y.a));
 }

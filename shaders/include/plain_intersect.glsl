@@ -1,30 +1,35 @@
-// core/trace/plain_intersect.h in GLSL: the float test of --precision fast.
+// core/trace/plain_intersect.h in GLSL, where a ray's part is done once: the float test of
+// --precision fast.
 
-#include "include/intersect.glsl"
+#include "include/rays.glsl"
+#include "include/triangles.glsl"
+#include "shared/rounding.h"
 
-bool plainIntersect(Ray ray, Triangle triangle, out TriangleHit hit) {
+/// Brings points to where the ray runs along one axis: its products with a point relative to the
+/// ray's origin are the two coordinates beside the ray, and t.
+struct Shear {
+    vec3 x, y, t;
+};
+
+Shear shearOf(Ray ray) {
+    vec3 d = ray.direction, size = abs(d);
+    vec3 z = size.x > size.y ? (size.x > size.z ? vec3(1, 0, 0) : vec3(0, 0, 1))
+                             : (size.y > size.z ? vec3(0, 1, 0) : vec3(0, 0, 1));
+    vec3 x = z.zxy, y = z.yzx;
+    float depth = dot(d, z);
+    return Shear(x - dot(d, x) / depth * z, y - dot(d, y) / depth * z, z / depth);
+}
+
+bool plainIntersect(Shear shear, vec3 origin, Triangle triangle, out TriangleHit hit) {
     hit = TriangleHit(0.0, 0.0, 0.0);
-    vec3 size = abs(ray.direction);
-    int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    int x = (z + 1) % 3, y = (z + 2) % 3;
-    precise float slopeX = ray.direction[x] / ray.direction[z];
-    precise float slopeY = ray.direction[y] / ray.direction[z];
-
-    precise vec3 a = triangle.a - ray.origin;
-    precise vec3 b = triangle.b - ray.origin;
-    precise vec3 c = triangle.c - ray.origin;
-    precise vec3 xs = vec3(a[x], b[x], c[x]) - slopeX * vec3(a[z], b[z], c[z]);
-    precise vec3 ys = vec3(a[y], b[y], c[y]) - slopeY * vec3(a[z], b[z], c[z]);
-    precise vec3 edges = xs.yzx * ys.zxy - ys.yzx * xs.zxy;
+    mat3 corners = mat3(triangle.a - origin, triangle.b - origin, triangle.c - origin);
+    precise vec3 x = shear.x * corners, y = shear.y * corners;
+    precise vec3 edges = x.yzx * y.zxy - y.yzx * x.zxy;
     if (any(lessThan(edges, vec3(0.0))) && any(greaterThan(edges, vec3(0.0)))) return false;
     precise float sum = edges.x + edges.y + edges.z;
     if (sum == 0.0) return false;
-    precise float t =
-        (edges.x * a[z] + edges.y * b[z] + edges.z * c[z]) / (sum * ray.direction[z]);
+    precise float t = dot(edges, shear.t * corners) / sum;
     if (!(t >= 0.0 && t <= kLargest)) return false;
-    hit.t = flushed(t);
-    precise vec2 weights = edges.yz / sum;
-    hit.u = flushed(weights.x);
-    hit.v = flushed(weights.y);
+    hit = TriangleHit(flushed(t), flushed(edges.y / sum), flushed(edges.z / sum));
     return true;
 }

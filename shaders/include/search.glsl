@@ -3,8 +3,6 @@
 
 #include "include/triangles.glsl"
 #include "include/view_cone.glsl"
-#include "include/plain_intersect.glsl"
-#include "include/ray_record.glsl"
 #include "shared/hit_rules.h"
 #if DIRT_CUT_OUTS
 #include "include/holes.glsl"
@@ -32,9 +30,6 @@ bool isSkipped(Ray ray, Triangle triangle) {
 struct Candidate {
     uint id; // kNoPrimitive: none
     Triangle triangle;
-#if !DIRT_EXACT
-    TriangleHit hit;
-#endif
 };
 
 Candidate noCandidate() {
@@ -48,22 +43,14 @@ bool isWorthTesting(Search search, inout Candidate candidate) {
     if (candidate.id == search.best.primitive) return true;
     if (candidate.id == search.ray.skip) return false;
     candidate.triangle = triangleOf(candidate.id);
-#if DIRT_EXACT
     return !certainlyMisses(search.sieve, search.ray, candidate.triangle);
-#else
-    return plainIntersect(search.ray, candidate.triangle, candidate.hit);
-#endif
 }
 
 /// Tests one triangle. True if it is the best hit, now or from before.
 bool test(inout Search search, Candidate candidate) {
     if (candidate.id == search.best.primitive) return true;
     TriangleHit hit;
-#if DIRT_EXACT
     if (!intersect(search.ray, candidate.triangle, hit)) return false;
-#else
-    hit = candidate.hit;
-#endif
     if (!isNearer(hit.t, candidate.id, search.best.t, search.best.primitive) ||
         hit.t < search.seenBegin || hit.t > search.seenEnd ||
         isSkipped(search.ray, candidate.triangle))
@@ -89,7 +76,7 @@ bool test(inout Search search, Candidate candidate) {
 
 Search makeSearch(RayRecord given) {
     Search search;
-    search.best = Hit(kNoPrimitive, 0.0, 0.0, 0.0, 0u, 0u, 0u);
+    search.best = kNoHit;
     search.ray = Ray(flushed(given.origin), flushed(given.direction), given.skip);
     search.maxT = given.maxT;
     search.sieve = makeFilter(search.ray);

@@ -11,3 +11,10 @@ Triangle triangleOf(uint id) {
     return Triangle(texelFetch(triangles, at).xyz, texelFetch(triangles, at + 1).xyz,
                     texelFetch(triangles, at + 2).xyz);
 }
+
+/// Whether two triangles have exactly the same three vertices, in any order.
+bool sameVertices(Triangle x, Triangle y) {
+    return (x.a == y.a && (x.b == y.b && x.c == y.c || x.b == y.c && x.c == y.b)) ||
+           (x.a == y.b && (x.b == y.c && x.c == y.a || x.b == y.a && x.c == y.c)) ||
+           (x.a == y.c && (x.b == y.a && x.c == y.b || x.b == y.b && x.c == y.a));
+}

@@ -6,6 +6,8 @@
 
 DIRT_SHARED_BEGIN
 
+#ifndef DIRT_NO_DOUBLES
+
 /// Bins per depth of a tile with the given bounds; 0, as in a tile without depth: all in the first.
 DIRT_FUNCTION float binsPerDepth(float near, float far, int bins) {
     DIRT_PRECISE float depth = far - near;
@@ -16,6 +18,8 @@ DIRT_FUNCTION float binsPerDepth(float near, float far, int bins) {
     DIRT_PRECISE double quotient = double(bins) / double(depth);
     return quotient <= double(kLargest) ? float(quotient) : 0.0f;
 }
+
+#endif
 
 /// The bin of depth \p w, given binsPerDepth.
 DIRT_FUNCTION int binOf(float w, float near, float perDepth, int bins) {

@@ -4,7 +4,9 @@
 #define DIRT_SHARED_HIT_RULES_H
 
 #include "shaders/shared/layouts.h"
+#ifndef DIRT_NO_DOUBLES
 #include "shaders/shared/margins.h"
+#endif
 #include "shaders/shared/rounding.h"
 
 DIRT_SHARED_BEGIN
@@ -22,6 +24,8 @@ DIRT_FUNCTION bool isTraceable(vec3 origin, vec3 direction) {
     return finite && direction != vec3(0.0f);
 }
 
+#ifndef DIRT_NO_DOUBLES
+
 /// What is beyond t when all that lies before it has been seen: no candidate whose computed t is
 /// at most \p t has an exact t above this, nor one that flushing to zero may hide.
 DIRT_FUNCTION double upperBound(float t) {
@@ -29,10 +33,14 @@ DIRT_FUNCTION double upperBound(float t) {
     return bound;
 }
 
+#endif
+
 /// Whether a hit takes the place of the best one: nearer, or at equal t of a lower id.
 DIRT_FUNCTION bool isNearer(float t, uint id, float bestT, uint bestId) {
     return bestId == kNoPrimitive || t < bestT || (t == bestT && id < bestId);
 }
+
+#ifndef DIRT_NO_DOUBLES
 
 /// Whether the exact t of a hit may lie between two parameters.
 DIRT_FUNCTION bool mayHold(double begin, double end, float t) {
@@ -41,6 +49,8 @@ DIRT_FUNCTION bool mayHold(double begin, double end, float t) {
     DIRT_PRECISE double early = double(t) - error;
     return begin <= late && early <= end;
 }
+
+#endif
 
 DIRT_SHARED_END
 

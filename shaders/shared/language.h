@@ -1,6 +1,7 @@
 // The common subset of C++ and GLSL in which the headers of this folder are written, so that both
 // languages compute the same bits: x, +, -, /, sqrt, floor and abs on floats and doubles, integers,
-// and no built-in function that an implementation may approximate.
+// and no built-in function that an implementation may approximate. Where GLSL defines
+// DIRT_NO_DOUBLES, they leave out what needs doubles.
 #ifndef DIRT_SHARED_LANGUAGE_H
 #define DIRT_SHARED_LANGUAGE_H
 
@@ -56,11 +57,15 @@ inline double infinity() {
 #define DIRT_PRECISE precise
 #define DIRT_DEFAULT(value)
 
+#ifndef DIRT_NO_DOUBLES
 double infinity() {
     return packDouble2x32(uvec2(0u, 0x7ff00000u));
 }
+#endif
 
 #endif
+
+#ifndef DIRT_NO_DOUBLES
 
 DIRT_SHARED_BEGIN
 
@@ -69,5 +74,7 @@ DIRT_FUNCTION int signOf(double x) {
 }
 
 DIRT_SHARED_END
+
+#endif
 
 #endif

@@ -17,6 +17,8 @@ DIRT_FUNCTION vec3 flushed(vec3 v) {
     return vec3(flushed(v.x), flushed(v.y), flushed(v.z));
 }
 
+#ifndef DIRT_NO_DOUBLES
+
 /// The largest float that is not above \p x >= 0; zero in place of a denormal.
 DIRT_FUNCTION float roundDown(double x) {
     if (x < double(kSmallestNormal)) return 0.0f;
@@ -34,6 +36,8 @@ DIRT_FUNCTION float roundUp(double x) {
     DIRT_PRECISE float f = float(x);
     return double(f) < x ? uintBitsToFloat(floatBitsToUint(f) + 1u) : f;
 }
+
+#endif
 
 DIRT_SHARED_END
 

@@ -22,6 +22,8 @@ DIRT_FUNCTION vec3 facing(vec3 normal, vec3 towards) {
     return dotProduct(normal, towards) < 0.0f ? -normal : normal;
 }
 
+#ifndef DIRT_NO_DOUBLES
+
 /// Normal of a triangle with an area. In double, since in float a sliver's would be noise: edges
 /// and products lose next to nothing there.
 DIRT_FUNCTION vec3 triangleNormal(vec3 a, vec3 b, vec3 c) {
@@ -36,6 +38,8 @@ DIRT_FUNCTION vec3 triangleNormal(vec3 a, vec3 b, vec3 c) {
     DIRT_PRECISE dvec3 scaled = n / largest;
     return unitVector(vec3(scaled));
 }
+
+#endif
 
 /// Normal for shading of an interpolated \p normal: on the side of the \p geometric one, which it
 /// gives way to where it has no direction. Unit normals cancel only where they are opposite; NaN

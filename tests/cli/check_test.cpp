@@ -38,6 +38,15 @@ TEST(Check, BackendsThatAreNoneAreNamed) {
     }
 }
 
+/// Nothing is promised of it that could be compared.
+TEST(Check, RefusesFast) {
+    const TemporaryFolder folder;
+    const Outcome run =
+        dirt({"check", litTriangle(folder), "--backends", "cpu,cpu", "--precision", "fast"});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_TRUE(run.err.starts_with("dirt: check: --precision fast promises nothing")) << run.err;
+}
+
 TEST(Check, RunsOneSample) {
     const TemporaryFolder folder;
     const Outcome run = dirt({"check", litTriangle(folder), "--backends", "cpu,cpu", "--spp", "2"});

@@ -104,10 +104,13 @@ TEST(FarOrigin, EveryCommandWarnsWhereDigitsAreLost) {
         return start;
     };
     const std::string image = folder / "a.png";
-    for (const auto& start :
-         {std::vector<std::string>{"render", near, "-o", image, "--spp", "1"},
-          std::vector<std::string>{"verify", near, "--rays", "10"},
-          std::vector<std::string>{"dump", near, "-o", folder / "d", "--buffers", "triangles"}}) {
+    std::vector<std::vector<std::string>> commands = {
+        {"render", near, "-o", image, "--spp", "1"},
+        {"dump", near, "-o", folder / "d", "--buffers", "triangles"}};
+#ifdef DIRT_HAVE_EMBREE
+    commands.push_back({"verify", near, "--rays", "10"});
+#endif
+    for (const std::vector<std::string>& start : commands) {
         const Outcome run = dirt(withOptions(start, false));
         EXPECT_EQ(run.status, 0) << run.err;
         EXPECT_NE(run.err.find("warning: " + near + ": the eye is so far away"), std::string::npos)

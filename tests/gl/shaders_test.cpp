@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
+#include <regex>
 
 namespace dirt::test {
 namespace {
@@ -80,7 +82,9 @@ void addPathPasses(std::vector<ProgramSource>& all) {
         all.insert(all.end(), {fetchAtEyeSource(surfaces), directVisibilitySource(surfaces),
                                shadowMapSource(surfaces)});
         for (Search search : {Search::any, Search::paths})
-            all.push_back(traceSource(search, Precision::exact, true, 13, 24, &surfaces));
+            for (Precision precision : {Precision::exact, Precision::fast})
+                all.push_back(
+                    traceSource(search, precision, search == Search::any, 13, 24, &surfaces));
         for (ViewMode mode : {ViewMode::full, ViewMode::single})
             all.push_back(rasterFetchSource(mode, surfaces));
     }
@@ -119,6 +123,31 @@ TEST(Shaders, CompileInEveryVariant) {
         EXPECT_EQ(std::system((command + " > " + log).c_str()), 0) << program.name << "\n"
                                                                    << readFile(log);
     }
+}
+
+/// Traces without doubles, which many GPUs have at a thirty-second of the rate of floats or less.
+TEST(Shaders, FastTracesInFloatAlone) {
+    if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "glslang-tools is not installed";
+    const TemporaryFolder folder;
+    const auto doublesOf = [&](const ProgramSource& program) {
+        const std::string file = folder.write(
+            program.files[0], ShaderFiles().compose(program.files[0], program.defines).text);
+        const std::string out = folder / "preprocessed";
+        EXPECT_EQ(std::system(("glslangValidator -E " + file + " > " + out).c_str()), 0);
+        const std::string text = readFile(out);
+        const std::regex doubles("\\b(double|dvec[234]|dmat\\w*|\\w*Double2x32|[0-9.]+(lf|LF))\\b");
+        return std::distance(std::sregex_iterator(text.begin(), text.end(), doubles), {});
+    };
+    SurfaceVariant surfaces;
+    surfaces.textures = surfaces.cutOuts = true;
+    for (Search search : {Search::nearest, Search::any, Search::paths})
+        for (bool resumes : {false, true}) {
+            EXPECT_EQ(doublesOf(traceSource(search, Precision::fast, resumes, 2, 24)), 0);
+            EXPECT_EQ(doublesOf(traceSource(search, Precision::fast, resumes, 2, 24, &surfaces)),
+                      0);
+            EXPECT_GT(doublesOf(traceSource(search, Precision::exact, resumes, 2, 24)), 100);
+        }
 }
 
 /// No file is left over that no program uses.

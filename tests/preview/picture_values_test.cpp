@@ -86,7 +86,7 @@ TEST_F(PreviewValues, StandWhereTheirColoursDo) {
                 }
         }
     }
-    const PictureValues& pixels = presentedValues(overview).back();
+    const PictureValues pixels = presentedValues(overview).back();
     EXPECT_EQ(pixels.numbers[3 * (12 * 48 + 20)], (double) image.pixels[12 * 48 + 20].x);
 }
 
