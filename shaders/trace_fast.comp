@@ -323,11 +323,11 @@ void report(RayRecord given, Search search) {
     if (search.best.primitive != kNoPrimitive) atomicAdd(found, 1u);
 }
 
-bool isCast(RayRecord given) {
+bool isCast(Search search) {
 #if DIRT_ANY_HIT
-    if (!(given.maxT > 0.0)) return false;
+    if (!(search.maxT > 0.0)) return false;
 #endif
-    return isTraceable(given.origin, given.direction);
+    return isTraceable(search.ray.origin, search.ray.direction);
 }
 
 void trace(uint index) {
@@ -341,7 +341,7 @@ void trace(uint index) {
     State state = State(kNoView, 0, ivec2(0), 0.0, kWalking, kNoNode, 0u);
     Search search = makeSearch(given, kNoHit, false);
 #endif
-    if (isCast(given))
+    if (isCast(search))
         run(search, state);
     else
         state.view = kDone;

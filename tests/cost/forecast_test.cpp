@@ -60,6 +60,19 @@ private:
     std::vector<double> times_;
 };
 
+/// Each pass takes a millisecond.
+class PassCounter final : public ForwardingBackend {
+public:
+    using ForwardingBackend::ForwardingBackend;
+
+    void beginTimedPass() override {}
+    void endTimedPass() override { times_.push_back(1.0); }
+    std::vector<double> takePassTimes() override { return std::exchange(times_, {}); }
+
+private:
+    std::vector<double> times_;
+};
+
 /// Of a frame, and of its build and each sample.
 struct Times {
     double frame = 1e30, build = 1e30, sample = 1e30;
@@ -98,7 +111,29 @@ void expectTimesForecast(const Scene& scene, const RenderSettings& settings) {
     }
 }
 
+/// What is done once, and what each sample does: the same passes as the whole frame has.
+TEST(Forecast, CountsThePassesOfAllSamples) {
+    for (const char* name : {"cards_shadow_map.scene", "materials.scene"}) {
+        SCOPED_TRACE(name);
+        const LoadedScene loaded = loadScene(test::goldenFolder() / "scenes" / name);
+        RenderSettings settings = test::goldenSettings(loaded, 5);
+        settings.bounces = 3;
+        SerialExecutor executor;
+        CpuBackend backend(executor), other(executor);
+        PassCounter counted(backend), whole(other);
+        const Forecast forecast = forecastFrame(loaded.scene, settings, counted);
+        const RenderResult frame = Renderer(loaded.scene, settings, whole).render();
+        EXPECT_EQ(forecast.frameMs, totalMs(frame.passes));
+        EXPECT_EQ(forecast.buildMs, totalMs(frame.build));
+        EXPECT_EQ(forecast.sampleMs,
+                  (totalMs(frame.passes) - totalMs(frame.build) - frame.passMs("ShadowMap")) / 5);
+        EXPECT_GT(forecast.sampleMs, 5.0);
+    }
+}
+
+/// By the clock, which what else the machine does reads with it: not part of the short suite.
 TEST(Forecast, SaysWhatTimeAFrameWillTake) {
+    if (!test::fullTests()) GTEST_SKIP() << "by the clock: with DIRT_TEST_FULL=1 alone";
     const std::filesystem::path large = DIRT_SOURCE_DIR "/scenes";
     const std::filesystem::path small = test::goldenFolder() / "scenes";
     struct Case {
