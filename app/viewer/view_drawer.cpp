@@ -112,6 +112,7 @@ void ViewDrawer::prepare(ViewState& state) {
         backend_.reset();
         backend_ = makeBackend(state.backend, options_, *executor_);
         backendKind_ = state.backend;
+        restMs_.reset(); // it may be far slower
     }
     Scene& scene = input_.scene;
     const bool hasMoved = state.frame != input_.frame;
@@ -135,8 +136,8 @@ void ViewDrawer::draw(ViewState& state, bool moving, const Stop& stop, const Sho
     prepare(state);
     // Tiles of a coarser picture would be others.
     const bool hasCoarse = state.shown->of != PreviewKind::Of::views;
-    // Also before a fine one that will take its time.
-    if (hasCoarse && (moving || restMs_ > 2.0 * kFrameMs)) {
+    // Also before a fine one that will take its time, or may.
+    if (hasCoarse && (moving || !restMs_ || *restMs_ > 2.0 * kFrameMs)) {
         const auto start = Clock::now();
         // It is finished whatever happens: or else nothing would be seen of a movement that does
         // not pause.

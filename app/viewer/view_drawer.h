@@ -63,7 +63,8 @@ private:
     std::optional<PathAccount> account_;
     ViewState accountState_;       ///< that it was taken down of
     double pixelShare_ = 1.0 / 16; ///< of the pixels at rest, while something moves
-    double restMs_ = 0.0;          ///< from the beginning of a picture at rest to its first sample
+    /// From the beginning of a picture at rest to its first sample; none: not known yet.
+    std::optional<double> restMs_;
 };
 
 } // namespace dirt

@@ -93,11 +93,13 @@ TEST_F(ViewAtRest, BeforeASlowPictureThereIsACoarseOne) {
     for (int width = 800; ms < 500.0; width *= 2) { // on however fast a machine
         common.size = ImageSize{width, width / 2};
         ViewModel model(common);
+        std::shared_ptr<const ViewPicture> first;
+        ASSERT_TRUE(comes([&] { return (first = model.picture()) != nullptr; }));
         ms = rest(model)->sampleMs;
         if (ms < 500.0) continue;
+        EXPECT_LT(first->width, width) << "how long it takes is not known yet";
         model.change([](ViewState& s) { s.settings.bounces = 3; });
         const uint64_t change = model.changes();
-        std::shared_ptr<const ViewPicture> first;
         ASSERT_TRUE(comes([&] { return (first = model.picture())->change == change; }));
         EXPECT_LT(first->width, width);
         EXPECT_FALSE(first->done);
