@@ -159,6 +159,11 @@ Bins binsBetween(ImageLine line, vec2 bounds, float from, float to) {
     return bins;
 }
 
+/// The bin at hand is the last where rounding puts the last before it.
+void reachLast(inout Bins bins) {
+    if (bins.step * (bins.at - bins.last) > 0) bins.last = bins.at;
+}
+
 uint headOf(int view, ivec2 tile, int bin) {
     return texelFetch(headTexture, ivec3(tile, view * grid.bins + bin), 0).x;
 }
@@ -220,6 +225,7 @@ bool searchView(int view, ImageLine line, inout Search search, inout State state
                 listing = true;
                 bins = binsBetween(line, cell.bounds, state.place, min(cell.exit, limit));
                 if (again) bins.at = state.bin;
+                reachLast(bins);
                 if (!again) state.node = headOf(view, state.tile, bins.at);
                 again = false;
             }
@@ -257,7 +263,7 @@ bool searchView(int view, ImageLine line, inout Search search, inout State state
                     int last = binsBetween(line, cell.bounds, state.place,
                                            clamp(limit, state.place, cell.exit)).last;
                     if (bins.step * (bins.last - last) > 0) bins.last = last;
-                    if (bins.step * (bins.at - bins.last) > 0) bins.last = bins.at;
+                    reachLast(bins);
                 }
             }
         }

@@ -284,6 +284,20 @@ TEST(Check, CountsWhatAPassMustNotWrite) {
             << text(row);
 }
 
+/// The last entry of every tenth list so many times: 0 leaves it out.
+void repeatLast(Grid& grid, int times) {
+    std::vector<uint32_t> ids, heads{0};
+    for (size_t cell = 0; cell + 1 < grid.heads.size(); ++cell) {
+        const auto list =
+            std::span(grid.ids).subspan(grid.heads[cell], grid.heads[cell + 1] - grid.heads[cell]);
+        for (size_t i = 0; i < list.size(); ++i)
+            ids.insert(ids.end(), cell % 10 == 0 && i + 1 == list.size() ? times : 1, list[i]);
+        heads.push_back((uint32_t) ids.size());
+    }
+    grid.ids = ids;
+    grid.heads = heads;
+}
+
 TEST(Check, CountsTheWrongEntriesOfTheConstruction) {
     Random random(5);
     const RenderSettings settings = smallImage();
@@ -300,16 +314,7 @@ TEST(Check, CountsTheWrongEntriesOfTheConstruction) {
     expectCaught(fault, {{"FillDepthMipmap: depth pyramid, level 1", 2}}, settings);
 
     fault = {"FillPrimitives", -1};
-    fault.spoilGrid = [](Grid& grid) { // leaves out the last entry of every tenth list
-        std::vector<uint32_t> ids, heads{0};
-        for (size_t cell = 0; cell + 1 < grid.heads.size(); ++cell) {
-            for (uint32_t i = grid.heads[cell]; i < grid.heads[cell + 1]; ++i)
-                if (cell % 10 > 0 || i + 1 < grid.heads[cell + 1]) ids.push_back(grid.ids[i]);
-            heads.push_back((uint32_t) ids.size());
-        }
-        grid.ids = ids;
-        grid.heads = heads;
-    };
+    fault.spoilGrid = [](Grid& grid) { repeatLast(grid, 0); };
     SerialExecutor executor;
     CpuBackend cpu(executor);
     cpu.build(room().mesh, room().camera, settings.grid);
@@ -320,18 +325,7 @@ TEST(Check, CountsTheWrongEntriesOfTheConstruction) {
                  settings);
 
     fault = {"FillPrimitives", -1};
-    fault.spoilGrid = [](Grid& grid) { // lists the last entry of every tenth list twice
-        std::vector<uint32_t> ids, heads{0};
-        for (size_t cell = 0; cell + 1 < grid.heads.size(); ++cell) {
-            const auto list = std::span(grid.ids).subspan(grid.heads[cell],
-                                                          grid.heads[cell + 1] - grid.heads[cell]);
-            ids.insert(ids.end(), list.begin(), list.end());
-            if (cell % 10 == 0 && !list.empty()) ids.push_back(list.back());
-            heads.push_back((uint32_t) ids.size());
-        }
-        grid.ids = ids;
-        grid.heads = heads;
-    };
+    fault.spoilGrid = [](Grid& grid) { repeatLast(grid, 2); };
     Grid more = cpu.grid();
     fault.spoilGrid(more);
     ASSERT_GT(more.ids.size(), cpu.grid().ids.size());
